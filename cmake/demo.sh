@@ -1,0 +1,29 @@
+#!/bin/sh
+# sh cmake/demo.sh: installs what is missing (Debian, Ubuntu), builds the examples, and runs three scenes. Tables,
+# CSV files and plots are left in out/.
+set -eu
+cd "$(dirname "$0")/.."
+
+sh cmake/setup.sh libcli11-dev nlohmann-json3-dev gnuplot-nox
+sh cmake/build.sh demo
+
+mkdir -p out
+for scene in standing_wave reflection shock; do
+    echo "== $scene"
+    rm -rf "out/$scene"
+    mkdir "out/$scene"
+    # Not piped into tee: a pipe would hide that the program failed.
+    "build/demo/examples/$scene" --summary "out/$scene.json" --csv "out/$scene" --every 20 > "out/$scene.txt" || {
+        cat "out/$scene.txt"
+        echo "The scene $scene failed; its output is above." >&2
+        exit 1
+    }
+    cat "out/$scene.txt"
+    if command -v gnuplot > /dev/null; then
+        gnuplot -e "csv='out/$scene'; out='out/$scene'" "examples/plots/$scene.gp"
+    else
+        echo "gnuplot is not installed, so $scene is not plotted."
+    fi
+done
+echo "== Written to out/:"
+ls out

@@ -1,0 +1,262 @@
+#pragma once
+#include <tamis/boundary/conditions.hpp>
+#include <tamis/core/error.hpp>
+#include <tamis/grid/lattice.hpp>
+#include <tamis/grid/node_table.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace tamis {
+
+/// A node that conditions hold, with what they added in the last step.
+template <int Dim, class Real> struct held_node {
+    point<Dim, Real> at;
+    /// Force of the conditions on the node (N), mean over the step: the sum over nodes balances the particles' momentum.
+    point<Dim, Real> reaction;
+    /// Held velocity at the end of the step (free directions: 0).
+    point<Dim, Real> velocity;
+};
+
+namespace detail {
+
+/// The incremental boundary method (numerics.md, section 6): held components of p/m take their values of t at once, those of
+/// p+/m the values of t + dt, and those of every further increment of the full mass matrix's series are zero.
+///
+/// Conditions at one node are made orthonormal once; values follow by the same triangular map.
+template <class S, class Shape, class Boundary> class held_nodes {
+  public:
+    using real = typename S::real;
+    using lattice_type = lattice<S, Shape>;
+    static constexpr int D = S::dim;
+    static constexpr bool any = !requires { requires Boundary::never; };
+
+    held_nodes(const Boundary& boundary, const lattice_type& lattice) : boundary_(boundary) {
+        if constexpr (any) find(lattice);
+    }
+
+    /// Momentum p takes its held values of time t. `share` is the part of that change that reaches the particles.
+    template <class Nodes> void start(const Nodes& nodes, double t, bool masses_are_new, const real& inverse_dt, double share) {
+        if constexpr (any) {
+            set_values(t);
+            for (entry& e : entries_) {
+                if (masses_are_new) take_mass(nodes, e);
+                const auto before = get<field::momentum>(nodes, e.place);
+                const auto change = impose(nodes, e, before, e.mass, field::momentum{});
+                e.node.reaction = change * (real(share) * inverse_dt);
+            }
+        }
+    }
+    /// Force f becomes the one that carries p (with its values of t) to the held values of time t. The momentum's column holds
+    /// the momentum itself, or already the velocity.
+    template <bool HoldsVelocity, class Nodes>
+    void forces(const Nodes& nodes, double t, const real& inverse_dt) {
+        if constexpr (any) {
+            for (entry& e : entries_) e.before = e.node.velocity;
+            set_values(t);
+            for (entry& e : entries_) {
+                if (!(e.mass > real(0))) continue;
+                const vector p = get<field::momentum>(nodes, e.place) * (HoldsVelocity ? e.mass : real(1));
+                const vector f = get<field::force>(nodes, e.place);
+                vector held = vector::Zero();
+                for (int k = 0; k < e.directions; ++k) {
+                    const vector& n = e.normal[at(k)];
+                    held += ((e.mass * e.value[at(k)] - n.dot(p)) * inverse_dt - n.dot(f)) * n;
+                }
+                put<field::force>(nodes, e.place, vector(f + held));
+                e.node.reaction += held;
+            }
+        }
+    }
+    /// Momentum p takes its held values of time t; no reaction (particles do not see p).
+    template <class Nodes> void extrapolated(const Nodes& nodes, double t) {
+        if constexpr (any) {
+            set_values(t);
+            for (entry& e : entries_)
+                impose(nodes, e, get<field::momentum>(nodes, e.place), e.mass, field::momentum{});
+        }
+    }
+    /// Held components of an increment become zero, in it and in the sum it was already added to.
+    template <class Increment, class Sum, class Nodes>
+    void increment(const Nodes& nodes, const real& inverse_dt, bool counts) {
+        if constexpr (any)
+            for (entry& e : entries_) {
+                auto dv = get<Increment>(nodes, e.place);
+                auto sum = get<Sum>(nodes, e.place);
+                vector gone = vector::Zero();
+                for (int k = 0; k < e.directions; ++k) gone += e.normal[at(k)].dot(dv) * e.normal[at(k)];
+                put<Increment>(nodes, e.place, vector(dv - gone));
+                put<Sum>(nodes, e.place, vector(sum - gone));
+                if (counts) e.node.reaction -= gone * (e.mass * inverse_dt);
+            }
+    }
+
+    /// Masses of held nodes, where they do not change from step to step.
+    template <class Nodes> void take_masses(const Nodes& nodes) {
+        if constexpr (any)
+            for (entry& e : entries_) take_mass(nodes, e);
+    }
+    /// Adds the step's work: reaction times the mean held velocity.
+    void finish(const real& dt) {
+        if constexpr (any)
+            for (const entry& e : entries_) work_ += e.node.reaction.dot(e.before + e.node.velocity) * dt / real(2);
+    }
+
+    /// Work of the conditions since the start of the run (J).
+    double work() const {
+        if constexpr (std::is_convertible_v<real, double>)
+            return static_cast<double>(work_);
+        else
+            return static_cast<double>(work_.value());
+    }
+    auto reactions() const {
+        std::vector<held_node<D, real>> all;
+        for (const entry& e : entries_) all.push_back(e.node);
+        return all;
+    }
+
+  private:
+    using vector = point<D, real>;
+    struct entry {
+        std::size_t place;
+        int directions = 0;
+        std::array<vector, static_cast<std::size_t>(D)> normal;  // orthonormal
+        std::array<std::array<real, static_cast<std::size_t>(D)>, static_cast<std::size_t>(D)> map;  // normal = map * given
+        std::array<int, static_cast<std::size_t>(D)> source;  // index into given_
+        std::array<real, static_cast<std::size_t>(D)> value{};
+        real mass{};
+        vector before = vector::Zero();
+        held_node<D, real> node;
+    };
+    struct given {
+        int condition;
+        vector normal;
+    };
+    Boundary boundary_;
+    std::vector<entry> entries_;
+    std::vector<given> given_;
+    double values_at_ = std::numeric_limits<double>::quiet_NaN();
+    real work_{0};
+
+    static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
+    template <class F, class Nodes> TAMIS_INLINE static vector get(const Nodes& nodes, std::size_t place) {
+        vector a;
+        for (int d = 0; d < D; ++d) a[d] = nodes.template column<F>(d)[place];
+        return a;
+    }
+    template <class F, class Nodes> TAMIS_INLINE static void put(const Nodes& nodes, std::size_t place, const vector& a) {
+        for (int d = 0; d < D; ++d) nodes.template column<F>(d)[place] = a[d];
+    }
+    template <class Nodes> static void take_mass(const Nodes& nodes, entry& e) {
+        e.mass = nodes.template column<field::mass>()[e.place];
+        if (!(e.mass >= std::numeric_limits<real>::min())) e.mass = real(0);
+    }
+    template <class F, class Nodes>
+    static vector impose(const Nodes& nodes, const entry& e, const vector& before, const real& scale, F) {
+        vector change = vector::Zero();
+        for (int k = 0; k < e.directions; ++k)
+            change += (scale * e.value[at(k)] - e.normal[at(k)].dot(before)) * e.normal[at(k)];
+        put<F>(nodes, e.place, vector(before + change));
+        return change;
+    }
+    vector velocity_of(int condition, const vector& where, double t) const {
+        vector u = vector::Zero();
+        int c = 0;
+        std::apply(
+            [&](const auto&... each) {
+                ((c++ == condition ? (void)(u = vector(each.velocity(where, real(t)))) : void()), ...);
+            },
+            each_condition(boundary_));
+        return u;
+    }
+    /// Values of time t. The end of one step is the start of the next: they are made once.
+    void set_values(double t) {
+        if (t == values_at_) return;
+        values_at_ = t;
+        for (entry& e : entries_) {
+            e.node.velocity.setZero();
+            std::array<real, static_cast<std::size_t>(D)> raw{};
+            for (int k = 0; k < e.directions; ++k) {
+                const given& g = given_[at(e.source[at(k)])];
+                raw[at(k)] = g.normal.dot(velocity_of(g.condition, e.node.at, t));
+                real value(0);
+                for (int j = 0; j <= k; ++j) value += e.map[at(k)][at(j)] * raw[at(j)];
+                e.value[at(k)] = value;
+                e.node.velocity += value * e.normal[at(k)];
+            }
+        }
+    }
+
+    void find(const lattice_type& lattice) {
+        const auto& grid = lattice.grid();
+        std::array<int, 3> n{0, 0, 0};
+        for (int d = 0; d < D; ++d) n[at(d)] = grid.cells(d);
+        for (int k = 0; k <= n[2]; ++k)
+            for (int j = 0; j <= n[1]; ++j)
+                for (int i = 0; i <= n[0]; ++i) {
+                    const vector where = grid.node({i, j, k});
+                    entry e;
+                    e.place = lattice.node_place({i, j, k});
+                    e.node = {where, vector::Zero(), vector::Zero()};
+                    int c = 0;
+                    std::apply([&](const auto&... each) { (add(e, c++, each, where), ...); },
+                               each_condition(boundary_));
+                    if (e.directions > 0) entries_.push_back(e);
+                }
+    }
+    template <class Condition> void add(entry& e, int index, const Condition& condition, const vector& where) {
+        if (!condition.holds(where)) return;
+        if constexpr (requires { condition.normal(where); }) {
+            const vector n = condition.normal(where);
+            const real length = n.norm();
+            if (!(length > real(0.999999) && length < real(1.000001)))
+                throw error(sentence("boundary condition ", index, ": its normal at (", where.transpose(),
+                                     ") has length ", length, "; give a unit vector"));
+            hold(e, index, n / length, where);
+        } else
+            for (int d = 0; d < D; ++d) hold(e, index, vector::Unit(d), where);
+    }
+    void hold(entry& e, int index, const vector& n, const vector& where) {
+        using std::abs;
+        vector rest = n;
+        std::array<real, static_cast<std::size_t>(D)> row{};
+        for (int k = 0; k < e.directions; ++k) {
+            const real along = e.normal[at(k)].dot(n);
+            rest -= along * e.normal[at(k)];
+            for (int j = 0; j <= k; ++j) row[at(j)] -= along * e.map[at(k)][at(j)];
+        }
+        const real length = rest.norm();
+        if (!(length > real(1e-6))) {
+            // The direction is already held: the two conditions must say the same.
+            set_probe(e, where);
+            vector held = vector::Zero();
+            for (int k = 0; k < e.directions; ++k) held += e.value[at(k)] * e.normal[at(k)];
+            const real difference = n.dot(held) - n.dot(velocity_of(index, where, 0.0));
+            if (abs(difference) > real(1e-6) * (real(1) + held.norm()))
+                throw error(sentence("boundary conditions disagree at the node at (", where.transpose(),
+                                     "): two of them hold the same direction with values that differ by ", difference,
+                                     "; make their regions disjoint or their values equal"));
+            return;
+        }
+        const int k = e.directions++;
+        e.normal[at(k)] = rest / length;
+        row[at(k)] = real(1);
+        for (int j = 0; j <= k; ++j) row[at(j)] /= length;
+        e.map[at(k)] = row;
+        e.source[at(k)] = static_cast<int>(given_.size());
+        given_.push_back({index, n});
+    }
+    void set_probe(entry& e, const vector& where) const {
+        std::array<real, static_cast<std::size_t>(D)> raw{};
+        for (int k = 0; k < e.directions; ++k) {
+            const given& g = given_[at(e.source[at(k)])];
+            raw[at(k)] = g.normal.dot(velocity_of(g.condition, where, 0.0));
+            e.value[at(k)] = real(0);
+            for (int j = 0; j <= k; ++j) e.value[at(k)] += e.map[at(k)][at(j)] * raw[at(j)];
+        }
+    }
+};
+
+}  // namespace detail
+}  // namespace tamis

@@ -1,0 +1,36 @@
+#pragma once
+// Kernels are written with small Eigen matrices of lanes. GCC's inliner leaves some of Eigen's operators out of line, and
+// sums then go through memory (1.4 times slower on AVX2), so Eigen's own switch is set before its first header.
+// Include tamis before Eigen to have the effect; the other order is correct, only slower.
+#if !defined(EIGEN_STRONG_INLINE) && defined(__GNUC__) && defined(__OPTIMIZE__)
+#define EIGEN_STRONG_INLINE __attribute__((always_inline)) inline
+#endif
+#include <Eigen/Core>
+
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#define TAMIS_INLINE __attribute__((always_inline)) inline
+#define TAMIS_INLINE_LAMBDA __attribute__((always_inline))
+#else
+#define TAMIS_INLINE inline
+#define TAMIS_INLINE_LAMBDA
+#endif
+#if defined(__GNUC__)
+#define TAMIS_NOINLINE __attribute__((noinline))
+#else
+#define TAMIS_NOINLINE
+#endif
+// A tile loop takes in all the kernels it calls.
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#define TAMIS_FLATTEN __attribute__((flatten))
+#else
+#define TAMIS_FLATTEN
+#endif
+
+// Vector lanes come from xsimd when it is there; -DTAMIS_XSIMD=0 leaves it out.
+#ifndef TAMIS_XSIMD
+#if __has_include(<xsimd/xsimd.hpp>)
+#define TAMIS_XSIMD 1
+#else
+#define TAMIS_XSIMD 0
+#endif
+#endif

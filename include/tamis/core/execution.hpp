@@ -1,0 +1,70 @@
+#pragma once
+#include <tamis/core/error.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <exception>
+#include <string_view>
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+namespace tamis {
+
+/// Runs f(0), ..., f(n - 1); no two of them touch the same data, so the order is free and results do not depend on it.
+template <class E>
+concept ExecutionPolicy = requires(const E& run, void (*f)(std::size_t)) {
+    run.for_each(std::size_t{}, f);
+};
+
+/// One after the other, in this thread.
+struct serial {
+    static constexpr std::string_view name = "serial";
+    static constexpr int count() { return 1; }
+    template <class F> void for_each(std::size_t n, F&& f) const {
+        for (std::size_t k = 0; k < n; ++k) f(k);
+    }
+};
+
+/// By OpenMP threads. Results are the same, bit for bit, for any number of them and for `serial`.
+class threads {
+  public:
+    static constexpr std::string_view name = "threads";
+    /// 0: as many as OpenMP would take. Throws `error` if the number is negative, or if the program was compiled without
+    /// OpenMP (-fopenmp).
+    explicit threads(int count = 0) : count_(count) {
+        if (count < 0) throw error(detail::sentence("threads: the number is ", count, "; give 0 (all) or more"));
+#if defined(_OPENMP)
+        if (count == 0) count_ = omp_get_max_threads();
+#else
+        throw error("threads: this program was compiled without OpenMP; add -fopenmp, or use serial");
+#endif
+    }
+    int count() const { return count_; }
+
+    template <class F> void for_each(std::size_t n, F&& f) const {
+        if (n <= 1 || count_ == 1) {
+            for (std::size_t k = 0; k < n; ++k) f(k);
+            return;
+        }
+#if defined(_OPENMP)
+        // An exception must not leave a parallel region: the first one is kept and thrown after it.
+        std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic) num_threads(count_)
+        for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(n); ++k) {
+            try {
+                f(static_cast<std::size_t>(k));
+            } catch (...) {
+#pragma omp critical(tamis_failure)
+                if (!failure) failure = std::current_exception();
+            }
+        }
+        if (failure) std::rethrow_exception(failure);
+#endif
+    }
+
+  private:
+    int count_;
+};
+
+}  // namespace tamis

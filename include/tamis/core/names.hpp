@@ -1,0 +1,117 @@
+#pragma once
+#include <tamis/core/fields.hpp>
+
+namespace tamis {
+
+/// The fields the library knows. Units are whatever consistent set the user works in; those of SI are given.
+namespace field {
+
+/// Where a particle is (m). Stored as the place inside its cell, 0 to 1 per axis.
+struct position : vector_field {
+    static constexpr std::string_view name = "position";
+};
+/// Velocity of a particle or of a node (m/s).
+struct velocity : vector_field {
+    static constexpr std::string_view name = "velocity";
+};
+/// Mass of a particle or of a node (kg, per unit of thickness in 1D and 2D).
+struct mass : scalar_field {
+    static constexpr std::string_view name = "mass";
+};
+/// A particle's volume in the reference state (m^Dim).
+struct volume : scalar_field {
+    static constexpr std::string_view name = "volume";
+};
+/// Kirchhoff stress of a particle (Pa), so that V0 tau = V sigma; in small strain the same as Cauchy's.
+struct stress : symmetric_field {
+    static constexpr std::string_view name = "stress";
+};
+/// Density of a particle (kg/m^Dim): rho' = rho/(1 + tr(strain increment)). Kept current where somebody asks for it.
+struct density : scalar_field {
+    static constexpr std::string_view name = "density";
+};
+/// Sum of a particle's strain increments. Kept current where somebody asks for it.
+struct strain : symmetric_field {
+    static constexpr std::string_view name = "strain";
+};
+/// Deformation gradient of a particle. Kept current where somebody asks for it.
+struct deformation : tensor_field {
+    static constexpr std::string_view name = "deformation";
+};
+/// Young's modulus of a particle (Pa), for laws that let it vary.
+struct modulus : scalar_field {
+    static constexpr std::string_view name = "modulus";
+};
+/// How far a particle moves in this step (m): held back while a stress order still needs its place at the start.
+struct displacement : vector_field {
+    static constexpr std::string_view name = "displacement";
+};
+
+/// 1/m of a node, 0 where there is no mass; takes the mass's column.
+struct inverse_mass : scalar_field {
+    using shares = mass;
+    static constexpr std::string_view name = "inverse_mass";
+};
+/// Momentum of a node (N s); the velocity takes its column.
+struct momentum : vector_field {
+    using shares = velocity;
+    static constexpr std::string_view name = "momentum";
+};
+/// Acceleration of a node by forces and reactions, (p+ - p)/(m dt) (m/s^2).
+struct acceleration : vector_field {
+    static constexpr std::string_view name = "acceleration";
+};
+/// Force on a node (N); the acceleration takes its column.
+struct force : vector_field {
+    using shares = acceleration;
+    static constexpr std::string_view name = "force";
+};
+/// Velocity of a node at the start of the step, p/m (m/s).
+struct start_velocity : vector_field {
+    static constexpr std::string_view name = "start_velocity";
+};
+/// XPIC's velocity of a node, M^-1 p + a dt (m/s); takes the acceleration's column.
+struct filtered_velocity : vector_field {
+    using shares = acceleration;
+    static constexpr std::string_view name = "filtered_velocity";
+};
+/// Velocity that strains the particles where it is not the node's `velocity` (m/s).
+struct strain_velocity : vector_field {
+    static constexpr std::string_view name = "strain_velocity";
+};
+/// Term of the full mass matrix's series, A^l m^-1 p (m/s).
+struct increment : vector_field {
+    static constexpr std::string_view name = "increment";
+};
+/// S^T M S times the increment (N s).
+struct image : vector_field {
+    static constexpr std::string_view name = "image";
+};
+
+}  // namespace field
+
+/// The papers' letters, for kernels: `i[m] += w * p[m];`.
+namespace symbols {
+
+inline constexpr field::position x;
+inline constexpr field::velocity v;
+inline constexpr field::mass m;
+inline constexpr field::volume V;
+inline constexpr field::stress sigma;
+inline constexpr field::density rho;
+inline constexpr field::strain epsilon;
+inline constexpr field::deformation F;
+inline constexpr field::modulus E;
+inline constexpr field::displacement u;
+inline constexpr field::inverse_mass im;
+inline constexpr field::momentum mv;
+inline constexpr field::force f;
+inline constexpr field::acceleration a;
+inline constexpr field::start_velocity v_start;
+inline constexpr field::filtered_velocity v_filtered;
+inline constexpr field::strain_velocity v_strain;
+inline constexpr field::increment dv;
+inline constexpr field::image Sdv;
+
+}  // namespace symbols
+}  // namespace tamis

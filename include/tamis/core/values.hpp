@@ -1,0 +1,94 @@
+#pragma once
+#include <tamis/core/names.hpp>
+#include <tamis/core/unroll.hpp>
+
+#include <utility>
+
+namespace tamis {
+
+namespace detail {
+
+/// Place of component (d, e) of a symmetric tensor in its upper half: diagonal first.
+constexpr int packed(int dim, int d, int e) {
+    return d == e ? d : d > e ? packed(dim, e, d) : dim == 2 ? 2 : dim + d + e - 1;
+}
+
+template <class S> TAMIS_INLINE typename S::tensor unpack(const symmetric_field::value<S>& half) {
+    typename S::tensor full;
+    unroll<S::dim * S::dim>([&](auto k) TAMIS_INLINE_LAMBDA {
+        constexpr int d = k / S::dim, e = k % S::dim;
+        full(d, e) = half[packed(S::dim, d, e)];
+    });
+    return full;
+}
+
+template <class S, class Tensor> TAMIS_INLINE void pack(symmetric_field::value<S>& half, const Tensor& full) {
+    unroll<S::dim * S::dim>([&](auto k) TAMIS_INLINE_LAMBDA {
+        constexpr int d = k / S::dim, e = k % S::dim;
+        if constexpr (d <= e) half[packed(S::dim, d, e)] = full(d, e);
+    });
+}
+
+/// Component c of a scalar or a small matrix.
+template <class S, class Value> TAMIS_INLINE auto& component(Value& value, int c) {
+    if constexpr (std::same_as<std::remove_const_t<Value>, typename S::scalar>)
+        return value;
+    else
+        return value.data()[c];
+}
+
+template <class S, class F> struct held_value {
+    typename F::template value<S> value;
+};
+
+}  // namespace detail
+
+/// One row of fields: one value each, in W lanes.
+template <class S, class List> struct values;
+template <class S, class... F>
+struct values<S, fields<F...>> : detail::held_value<S, std::remove_const_t<F>>... {
+    using list = fields<F...>;
+    static constexpr int components = (0 + ... + F::template components<S>);
+
+    /// The value of G; in storage, where fields may share a column, that of G's column.
+    template <class G> TAMIS_INLINE auto& get() { return detail::held_value<S, place_of<G>>::value; }
+    template <class G> TAMIS_INLINE const auto& get() const { return detail::held_value<S, place_of<G>>::value; }
+    /// Number of components before those of G.
+    template <class G> static constexpr int first() {
+        static_assert(stores<list, G>, "tamis: no policy of this scene asked for that field; name it in make_body's "
+                                       "last argument, fields<...>{}");
+        int c = 0;
+        bool found = false;
+        ((found = found || std::same_as<std::remove_const_t<F>, detail::column_of_t<G>>,
+          c += found ? 0 : F::template components<S>),
+         ...);
+        return c;
+    }
+    TAMIS_INLINE void set_zero() { (zero(get<F>()), ...); }
+
+  private:
+    template <class G>
+    using place_of =
+        std::conditional_t<contains<list, G>, std::remove_const_t<G>, detail::column_of_t<G>>;
+    template <class Value> TAMIS_INLINE static void zero(Value& value) {
+        if constexpr (std::same_as<Value, typename S::scalar>)
+            value = Value(typename S::real(0));
+        else
+            value.setConstant(typename S::scalar(typename S::real(0)));
+    }
+};
+
+/// Values shown to a policy: exactly the fields it declared, const where it only reads.
+template <class Values, class Shown> struct view {
+    Values& all;
+    template <class F> TAMIS_INLINE decltype(auto) operator[](F) const {
+        static_assert(contains<Shown, F>, "tamis: a policy touches a field it did not declare; add it to the policy's "
+                                          "on_particles or on_nodes list");
+        if constexpr (writes<Shown, F>)
+            return (all.template get<F>());
+        else
+            return std::as_const(all.template get<F>());
+    }
+};
+
+}  // namespace tamis

@@ -1,0 +1,139 @@
+#pragma once
+#include <tamis/grid/uniform_grid.hpp>
+#include <tamis/core/unroll.hpp>
+#include <tamis/shape/stencil.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace tamis::detail {
+
+/// Where a tile is: turns places in cells into places in space.
+template <class S> struct frame {
+    typename S::real spacing, inverse_spacing;
+    std::array<typename S::real, static_cast<std::size_t>(S::dim)> corner;  // of lane 0's cell
+};
+
+/// How a grid is laid out for a shape and W lanes: cells of the bookkeeping (centred on nodes for shapes with shift 0.5), and
+/// node rows along x padded to whole blocks of W. Node i of an axis is stored at i + ghosts; cell c reaches storage places
+/// c ... c + N - 1.
+template <class S, class Shape> class lattice {
+  public:
+    using real = typename S::real;
+    static constexpr int D = S::dim, W = S::width, N = Shape::support;
+    static constexpr int rows = power(N, D - 1);
+    static_assert(ghosts<Shape> <= 1, "tamis: a shape may reach at most one node beyond a wall (support up to 4)");
+    using cell_index = std::array<int, 3>;
+
+    explicit lattice(const uniform_grid<D, real>& grid) : grid_(grid), inverse_spacing_(real(1) / grid.spacing()) {
+        for (int d = 0; d < D; ++d) {
+            bins_[at(d)] = grid.cells(d) + (Shape::shift > 0 ? 1 : 0);
+            rows_of_nodes_[at(d)] = bins_[at(d)] + N - 1;
+        }
+        blocks_ = {(bins_[0] + W - 1) / W, bins_[1], bins_[2]};
+        // One block more than the cells have: the last tile reaches into it.
+        row_ = static_cast<std::size_t>(blocks_[0] + (N - 2) / W + 1) * static_cast<std::size_t>(W);
+        plane_ = row_ * static_cast<std::size_t>(rows_of_nodes_[1]);
+        size_ = plane_ * static_cast<std::size_t>(rows_of_nodes_[2]) + static_cast<std::size_t>(W + N);
+        for (int l = 0; l < W; ++l) {
+            first_lane_[at(l)] = real(l == 0 ? 1 : 0);
+            last_lane_[at(l)] = real(l == (bins_[0] - 1) % W ? 1 : 0);
+        }
+    }
+
+    const uniform_grid<D, real>& grid() const { return grid_; }
+    real inverse_spacing() const { return inverse_spacing_; }
+    /// Number of node places in storage, padding included.
+    std::size_t size() const { return size_; }
+    int bins(int d) const { return bins_[at(d)]; }
+    int blocks(int d) const { return blocks_[at(d)]; }
+    std::size_t block_count() const {
+        return static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
+               static_cast<std::size_t>(blocks_[2]);
+    }
+    std::size_t block_place(const cell_index& tile) const {
+        return (static_cast<std::size_t>(tile[2]) * static_cast<std::size_t>(blocks_[1]) +
+                static_cast<std::size_t>(tile[1])) * static_cast<std::size_t>(blocks_[0]) +
+               static_cast<std::size_t>(tile[0]);
+    }
+    /// Storage place of the first node that a tile's lane 0 reaches.
+    std::size_t first_node(const cell_index& tile) const {
+        return static_cast<std::size_t>(tile[2]) * plane_ + static_cast<std::size_t>(tile[1]) * row_ +
+               static_cast<std::size_t>(tile[0] * W);
+    }
+    /// Storage place of the r-th row of nodes around a cell, relative to the first.
+    TAMIS_INLINE std::size_t row_offset(int r) const {
+        if constexpr (D == 1)
+            return 0;
+        else
+            return static_cast<std::size_t>(r % N) * row_ + static_cast<std::size_t>(r / N) * plane_;
+    }
+    /// Storage place of grid node (i, j, k).
+    std::size_t node_place(const cell_index& node) const {
+        std::size_t place = static_cast<std::size_t>(node[0] + ghosts<Shape>);
+        if constexpr (D > 1) place += static_cast<std::size_t>(node[1] + ghosts<Shape>) * row_;
+        if constexpr (D > 2) place += static_cast<std::size_t>(node[2] + ghosts<Shape>) * plane_;
+        return place;
+    }
+
+    frame<S> frame_of(const cell_index& tile) const {
+        frame<S> f{grid_.spacing(), inverse_spacing_, {}};
+        for (int d = 0; d < D; ++d)
+            f.corner[at(d)] = grid_.lower()[d] +
+                              grid_.spacing() * (real(d == 0 ? tile[0] * W : tile[at(d)]) - real(Shape::shift));
+        return f;
+    }
+    /// Does the tile have cells whose functions are folded at a wall?
+    TAMIS_INLINE bool at_wall(const cell_index& tile) const {
+        if constexpr (ghosts<Shape> == 0)
+            return false;
+        else {
+            bool yes = tile[0] == 0 || tile[0] == blocks_[0] - 1;
+            for (int d = 1; d < D; ++d) yes = yes || tile[at(d)] == 0 || tile[at(d)] == bins_[at(d)] - 1;
+            return yes;
+        }
+    }
+    wall_lanes<S> walls_of(const cell_index& tile) const {
+        using T = typename S::scalar;
+        wall_lanes<S> walls;
+        walls.low[0] = tile[0] == 0 ? lane<T>::load(first_lane_.data()) : T(real(0));
+        walls.high[0] = tile[0] == blocks_[0] - 1 ? lane<T>::load(last_lane_.data()) : T(real(0));
+        for (int d = 1; d < D; ++d) {
+            walls.low[d] = T(real(tile[at(d)] == 0 ? 1 : 0));
+            walls.high[d] = T(real(tile[at(d)] == bins_[at(d)] - 1 ? 1 : 0));
+        }
+        return walls;
+    }
+
+    /// Cell and place in it of a point; false if the point is not in the box. A point on a wall is in the cell beside it.
+    bool locate(const point<D, real>& where, cell_index& cell, point<D, real>& local) const {
+        cell = {0, 0, 0};
+        for (int d = 0; d < D; ++d) {
+            if (!(where[d] >= grid_.lower()[d] && where[d] <= grid_.upper()[d])) return false;
+            const real q = (where[d] - grid_.lower()[d]) * inverse_spacing_ + real(Shape::shift);
+            const int c = std::min(std::max(lane<real>::floor(q), 0), bins_[at(d)] - 1);
+            cell[at(d)] = c;
+            local[d] = q - real(c);
+        }
+        return true;
+    }
+    /// How far a place in a cell may go towards the walls: a cell centred on the wall's node has only its inner half.
+    bool inside(const cell_index& cell, const point<D, real>& local) const {
+        for (int d = 0; d < D; ++d) {
+            if (cell[at(d)] < 0 || cell[at(d)] >= bins_[at(d)]) return false;
+            if (cell[at(d)] == 0 && local[d] < real(Shape::shift)) return false;
+            if (cell[at(d)] == bins_[at(d)] - 1 && local[d] > real(1) - real(Shape::shift)) return false;
+        }
+        return true;
+    }
+
+  private:
+    static constexpr std::size_t at(int d) { return static_cast<std::size_t>(d); }
+    uniform_grid<D, real> grid_;
+    real inverse_spacing_;
+    cell_index bins_{1, 1, 1}, blocks_{1, 1, 1}, rows_of_nodes_{1, 1, 1};
+    std::size_t row_ = 0, plane_ = 0, size_ = 0;
+    std::array<real, static_cast<std::size_t>(W)> first_lane_{}, last_lane_{};
+};
+
+}  // namespace tamis::detail

@@ -1,0 +1,72 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/core/space.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace tamis {
+
+/// A box of cubic cells. Nodes are at the corners of cells, walls included.
+template <int Dim, class Real = double> class uniform_grid {
+  public:
+    static constexpr int dim = Dim;
+    using real = Real;
+    using vector = point<Dim, Real>;
+
+    /// Box from `lower` to `upper` with cells of side `spacing`, all in units of length; the box is a whole number of
+    /// cells (to a millionth of one). Throws `error` otherwise.
+    uniform_grid(const Real (&lower)[Dim], const Real (&upper)[Dim], Real spacing) {
+        for (std::size_t d = 0; d < Dim; ++d) {
+            lower_[static_cast<Eigen::Index>(d)] = lower[d];
+            upper_[static_cast<Eigen::Index>(d)] = upper[d];
+        }
+        if (!(spacing > Real(0)) || spacing - spacing != Real(0))
+            throw error(detail::sentence("uniform_grid: the spacing is ", spacing, "; give a positive cell side"));
+        for (int d = 0; d < Dim; ++d) {
+            const Real extent = upper_[d] - lower_[d];
+            if (!(extent > Real(0)) || extent - extent != Real(0))
+                throw error(detail::sentence("uniform_grid: along axis ", d, " the upper corner (", upper_[d],
+                                             ") is not above the lower one (", lower_[d], ")"));
+            const Real cells = extent / spacing;
+            if (cells > Real(1 << 20))
+                throw error(detail::sentence("uniform_grid: ", cells, " cells along axis ", d,
+                                             "; at most 1048576 are possible, give a larger spacing"));
+            const int n = lane<Real>::floor(cells + Real(0.5));
+            const Real off = cells - Real(n);
+            if (n < 1 || off > Real(1e-6) * Real(n) + Real(1e-6) || -off > Real(1e-6) * Real(n) + Real(1e-6))
+                throw error(detail::sentence("uniform_grid: the box is ", cells, " cells long along axis ", d,
+                                             "; give corners a whole number of spacings apart"));
+            cells_[static_cast<std::size_t>(d)] = n;
+        }
+        spacing_ = (upper_[0] - lower_[0]) / Real(cells_[0]);
+    }
+
+    const vector& lower() const { return lower_; }
+    const vector& upper() const { return upper_; }
+    /// Side of a cell.
+    Real spacing() const { return spacing_; }
+    /// Number of cells along axis d; there is one node more.
+    int cells(int d) const { return cells_[static_cast<std::size_t>(d)]; }
+
+    /// Where node (i, j, k) is. Nodes on the walls are exactly there.
+    vector node(const std::array<int, 3>& index) const {
+        vector at;
+        for (int d = 0; d < Dim; ++d) {
+            const int i = index[static_cast<std::size_t>(d)];
+            at[d] = i == cells(d) ? upper_[d] : lower_[d] + (upper_[d] - lower_[d]) * (Real(i) / Real(cells(d)));
+        }
+        return at;
+    }
+
+  private:
+    vector lower_, upper_;
+    std::array<int, Dim> cells_{};
+    Real spacing_{};
+};
+
+template <class Real, std::size_t N>
+uniform_grid(const Real (&)[N], const Real (&)[N], Real) -> uniform_grid<static_cast<int>(N), Real>;
+
+}  // namespace tamis

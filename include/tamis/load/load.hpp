@@ -1,0 +1,45 @@
+#pragma once
+#include <tamis/core/space.hpp>
+
+#include <concepts>
+#include <utility>
+
+namespace tamis {
+
+/// A body acceleration (m/s^2): `acceleration(x, v, t)` at a particle's place and velocity of the step's start. It is called
+/// particle by particle; with `static constexpr bool in_lanes = true;` it is called with vectors of lanes.
+template <class L, class Vector>
+concept BodyLoad = requires(const L& load, const Vector& x, const Vector& v, double t) {
+    { load.acceleration(x, v, t) } -> std::convertible_to<Vector>;
+};
+
+/// No body acceleration.
+struct unloaded {
+    static constexpr bool never = true;
+    auto acceleration(const auto& x, const auto&, auto) const { return (x * 0).eval(); }
+};
+
+/// The same acceleration everywhere and always.
+template <class Vector> struct gravity {
+    Vector g;
+    static constexpr bool in_lanes = true;
+    template <class V> V acceleration(const V&, const V&, auto) const {
+        V b;
+        for (int d = 0; d < static_cast<int>(b.size()); ++d) b[d] = constant<typename V::Scalar>(g[d]);
+        return b;
+    }
+};
+template <class Vector> gravity(Vector) -> gravity<Vector>;
+
+/// An acceleration f(x, v, t) given as a function, for instance a lambda.
+template <class Function> struct body_acceleration {
+    Function function;
+    auto acceleration(const auto& x, const auto& v, auto t) const
+        requires std::invocable<const Function&, decltype(x), decltype(v), decltype(t)>
+    {
+        return function(x, v, t);
+    }
+};
+template <class Function> body_acceleration(Function) -> body_acceleration<Function>;
+
+}  // namespace tamis

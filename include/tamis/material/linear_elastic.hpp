@@ -1,0 +1,102 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/core/names.hpp>
+
+#include <cmath>
+
+namespace tamis {
+
+namespace detail {
+
+inline void check_elastic(double young, double poisson, double density) {
+    if (!(young > 0 && std::isfinite(young)))
+        throw error(sentence("linear_elastic: Young's modulus is ", young, "; give a positive number"));
+    if (!(poisson > -1 && poisson < 0.5))
+        throw error(sentence("linear_elastic: Poisson's ratio is ", poisson, "; give one above -1 and below 0.5"));
+    if (!(density > 0 && std::isfinite(density)))
+        throw error(sentence("linear_elastic: the density is ", density, "; give a positive number"));
+}
+
+/// Stress of isotropic linear elasticity for unit Young's modulus: uniaxial stress in 1D, plane strain in 2D.
+template <class Tensor> TAMIS_INLINE Tensor elastic_stress(double poisson, const Tensor& strain) {
+    using T = typename Tensor::Scalar;
+    if constexpr (Tensor::RowsAtCompileTime == 1)
+        return strain;
+    else {
+        const T lambda = constant<T>(poisson / ((1 + poisson) * (1 - 2 * poisson)));
+        const T two_mu = constant<T>(1 / (1 + poisson));
+        return (lambda * strain.trace()) * Tensor::Identity() + two_mu * strain;
+    }
+}
+
+/// Speed of longitudinal waves (m/s).
+inline double elastic_wave_speed(int dim, double young, double poisson, double density) {
+    return std::sqrt((dim == 1 ? young : young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))) / density);
+}
+
+}  // namespace detail
+
+/// Isotropic linear elasticity in small strain: in 1D sigma = E epsilon, plane strain in 2D, 3D. Pa and kg/m^3.
+struct linear_elastic {
+    double young, poisson = 0, density;
+    using on_particles = fields<const field::stress>;
+    static constexpr std::string_view name = "linear_elastic";
+
+    void check() const { detail::check_elastic(young, poisson, density); }
+    double wave_speed(int dim) const { return detail::elastic_wave_speed(dim, young, poisson, density); }
+    /// Stress of a particle at a given strain.
+    template <class Tensor> Tensor at_strain(auto&&, const Tensor& strain) const {
+        return constant<typename Tensor::Scalar>(young) * detail::elastic_stress(poisson, strain);
+    }
+    /// Stored elastic energy of a particle per reference volume (J/m^Dim).
+    template <class Tensor> auto energy(auto&&, const Tensor& tau) const {
+        return elastic_energy(young, poisson, tau);
+    }
+    template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
+        const Tensor strain = (L + L.transpose()) * (dt / 2);
+        return p[symbols::sigma] + at_strain(p, strain);
+    }
+    template <class Tensor>
+    static typename Tensor::Scalar elastic_energy(double young, double poisson, const Tensor& tau) {
+        using real = typename Tensor::Scalar;
+        if constexpr (Tensor::RowsAtCompileTime == 1)
+            return tau(0, 0) * tau(0, 0) / (2 * real(young));
+        else {
+            // Plane strain holds the third direction: sigma_zz = nu (sigma_xx + sigma_yy).
+            const real tr = Tensor::RowsAtCompileTime == 2 ? tau.trace() * real(1 + poisson) : tau.trace();
+            const real zz = Tensor::RowsAtCompileTime == 2 ? real(poisson) * tau.trace() : real(0);
+            return (real(1 + poisson) * (tau.squaredNorm() + zz * zz) - real(poisson) * tr * tr) / (2 * real(young));
+        }
+    }
+};
+
+/// Linear elasticity whose Young's modulus varies from particle to particle: `p[E]`, at first `young`.
+struct varying_elastic {
+    double young, poisson = 0, density;
+    using on_particles = fields<const field::stress, const field::modulus>;
+    static constexpr std::string_view name = "varying_elastic";
+
+    void check() const { detail::check_elastic(young, poisson, density); }
+    void start(auto p) const { p[symbols::E] = young; }
+    void check(auto p) const {
+        if (!(p[symbols::E] > 0)) throw error(detail::sentence("its modulus is ", p[symbols::E], "; give a positive number"));
+    }
+    double wave_speed(int dim) const { return detail::elastic_wave_speed(dim, young, poisson, density); }
+    /// Wave speed at a particle of its own density.
+    double wave_speed_at(auto p, int dim) const {
+        using namespace symbols;
+        return detail::elastic_wave_speed(dim, static_cast<double>(p[E]), poisson, static_cast<double>(p[m] / p[V]));
+    }
+    template <class Tensor> Tensor at_strain(auto&& p, const Tensor& strain) const {
+        return p[symbols::E] * detail::elastic_stress(poisson, strain);
+    }
+    template <class Tensor> auto energy(auto&& p, const Tensor& tau) const {
+        return linear_elastic::elastic_energy(static_cast<double>(p[symbols::E]), poisson, tau);
+    }
+    template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
+        const Tensor strain = (L + L.transpose()) * (dt / 2);
+        return p[symbols::sigma] + at_strain(p, strain);
+    }
+};
+
+}  // namespace tamis

@@ -1,0 +1,129 @@
+#pragma once
+#include <tamis/particles/particle.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <tuple>
+
+namespace tamis {
+
+/// Particles and their law. Made by `solver::make_body`, which knows what fields the composed policies ask for.
+template <class S, class Shape, class Law, class List> class body {
+  public:
+    using space_type = S;
+    using law_type = Law;
+    using field_list = List;
+    using lattice_type = detail::lattice<S, Shape>;
+    using store_type = detail::tile_store<S, List>;
+    using real = typename S::real;
+    static constexpr int dim = S::dim;
+
+    Law law;
+
+    body(const Law& the_law, const lattice_type& lattice)
+        : law(the_law), lattice_(lattice), store_(lattice.block_count()) {}
+
+    /// Number of particles.
+    std::size_t size() const { return store_.size(); }
+    /// Bytes a particle takes, of the fields that the composition stores.
+    static constexpr std::size_t bytes_per_particle() {
+        return sizeof(real) * static_cast<std::size_t>(store_type::components);
+    }
+    /// Share of the lanes in use that hold a particle.
+    double occupancy() const { return store_.occupancy(); }
+    /// Does the composition store this field?
+    template <class F> static constexpr bool has(F) { return stores<List, F>; }
+
+    template <bool Const> class iterator {
+      public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = particle<body, Const>;
+        using difference_type = std::ptrdiff_t;
+        using owner = std::conditional_t<Const, const body, body>;
+        iterator() = default;
+        iterator(owner& of, std::size_t tile) : of_(&of), tile_(tile) { settle(); }
+        value_type operator*() const { return {*of_, tile_, of_->store_.tiles[tile_].first + slot_, lane_}; }
+        iterator& operator++() {
+            next();
+            settle();
+            return *this;
+        }
+        iterator operator++(int) {
+            auto before = *this;
+            ++*this;
+            return before;
+        }
+        bool operator==(const iterator& o) const { return tile_ == o.tile_ && slot_ == o.slot_ && lane_ == o.lane_; }
+
+      private:
+        owner* of_ = nullptr;
+        std::size_t tile_ = 0;
+        std::uint32_t slot_ = 0;
+        int lane_ = 0;
+        void next() {
+            if (++lane_ == S::width) {
+                lane_ = 0;
+                ++slot_;
+            }
+        }
+        void settle() {
+            const auto& s = of_->store_;
+            for (; tile_ < s.tiles.size(); ++tile_, slot_ = 0, lane_ = 0)
+                for (; slot_ < s.tiles[tile_].count; next())
+                    if (s.occupied[s.tiles[tile_].first + slot_] >> lane_ & 1u) return;
+        }
+    };
+    /// All particles, to read and write. The order is that of storage and may change from step to step.
+    iterator<false> begin() {
+        store_.deliver_all();
+        touched_ = true;
+        return {*this, 0};
+    }
+    iterator<false> end() { return {*this, store_.tiles.size()}; }
+    /// All particles, to read.
+    iterator<true> begin() const {
+        // Letters under way are particles too; delivering them changes no particle.
+        const_cast<store_type&>(store_).deliver_all();
+        return {*this, 0};
+    }
+    iterator<true> end() const { return {*this, store_.tiles.size()}; }
+
+    /// Where a particle is.
+    point<dim, real> position_of(std::size_t tile, std::uint32_t slot, int lane_index) const {
+        const auto& at = store_.tiles[tile].at;
+        const auto& grid = lattice_.grid();
+        constexpr int W = S::width;
+        point<dim, real> where;
+        for (int d = 0; d < dim; ++d) {
+            const int cell = d == 0 ? at[0] * W + lane_index : at[static_cast<std::size_t>(d)];
+            real r;
+            const real* lanes_of_slot = store_.lane_of(slot, lane_index);
+            if constexpr (stores<List, field::position>)
+                r = lanes_of_slot[(store_type::slot::template first<field::position>() + d) * W];
+            else {
+                using weights = detail::held_weights<Shape>;
+                const real* first = lanes_of_slot + store_type::slot::template first<weights>() * W;
+                r = weights::template place<S>(d, [&](int c) { return first[c * W]; });
+            }
+            where[d] = grid.lower()[d] + grid.spacing() * (real(cell) - real(Shape::shift) + r);
+        }
+        return where;
+    }
+
+    // For the solver.
+    store_type& store() { return store_; }
+    const store_type& store() const { return store_; }
+    const lattice_type& lattice() const { return lattice_; }
+    /// Was the body open to changes since this was last asked?
+    bool take_touched() { return std::exchange(touched_, false); }
+
+  private:
+    lattice_type lattice_;
+    store_type store_;
+    bool touched_ = true;
+};
+
+/// The bodies of a step, by reference.
+template <class... Body> std::tuple<Body&...> bodies(Body&... each) { return {each...}; }
+
+}  // namespace tamis

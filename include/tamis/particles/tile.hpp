@@ -1,0 +1,272 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/core/values.hpp>
+#include <tamis/grid/lattice.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace tamis::detail {
+
+/// W neighbouring cells along x; lane l of each of its slots holds a particle of cell l, or is empty.
+struct tile {
+    std::array<int, 3> at;        // block along x, cells along y and z
+    std::size_t node;             // storage place of the first node that lane 0 reaches
+    std::uint32_t first, count;   // slots in use
+    std::uint32_t room;           // slots kept for it
+    int letter;                   // first letter to be delivered, -1: none
+    std::uint32_t letters;
+};
+
+/// Particle storage: tiles exist only where particles are. Empty lanes hold zeros, hence no mass.
+///
+/// A particle that leaves its cell goes into a letter (`post`); `sort_mail` hands the letters to their tiles, and `deliver`
+/// puts them in, when the next pass brings the tile into cache.
+template <class S, class List> class tile_store {
+  public:
+    using real = typename S::real;
+    using slot = values<S, List>;
+    static constexpr int D = S::dim, W = S::width, components = slot::components;
+    static constexpr std::uint32_t full = W >= 32 ? ~0u : (1u << W) - 1u;
+    static_assert(W <= 32 && sizeof(slot) == sizeof(real) * static_cast<std::size_t>(W * components));
+    struct letter {
+        real value[components];
+        std::array<int, 3> from, cell;  // cell[0] == outside: not in the grid; the place is relative to `from`
+        int next;
+        std::size_t origin;  // place in storage
+    };
+    static constexpr int outside = -1;
+
+    std::vector<tile> tiles;
+    std::vector<slot> slots;
+    std::vector<std::uint32_t> occupied;        // per slot: which lanes hold a particle
+    std::vector<std::vector<letter>> outboxes;  // one per slab: threads write without meeting
+    bool tiles_changed = true;                  // tiles came or went since this was last set to false
+    const void* arranged_by = nullptr;          // the solver that saw them last
+
+    explicit tile_store(std::size_t blocks) : tile_of_block_(blocks, -1) {}
+
+    std::size_t size() const { return count_; }
+    real* lane_of(std::uint32_t s, int l) { return reinterpret_cast<real*>(&slots[s]) + l; }
+    const real* lane_of(std::uint32_t s, int l) const { return reinterpret_cast<const real*>(&slots[s]) + l; }
+
+    /// A new particle in a cell, all its fields zero: its slot. The lane is the cell's.
+    template <class Lattice> std::uint32_t add(const Lattice& lattice, const std::array<int, 3>& cell) {
+        tile& t = tiles[static_cast<std::size_t>(tile_at(lattice, cell))];
+        const std::uint32_t s = free_slot(t, cell[0] % W);
+        ++count_;
+        return s;
+    }
+    /// Takes a particle out.
+    void remove(std::uint32_t s, int l) {
+        clear_lane(s, l);
+        --count_;
+    }
+    /// Puts the particle of lane l on its way to another cell.
+    void post(std::vector<letter>& outbox, std::uint32_t s, int l, const std::array<int, 3>& from_cell,
+              const std::array<int, 3>& cell) {
+        letter& to = outbox.emplace_back();
+        const real* from = lane_of(s, l);
+        for (int c = 0; c < components; ++c) to.value[c] = from[c * W];
+        to.from = from_cell;
+        to.cell = cell;
+        to.next = -1;
+        to.origin = static_cast<std::size_t>(s) * static_cast<std::size_t>(W) + static_cast<std::size_t>(l);
+        clear_lane(s, l);
+    }
+    /// Hands the letters of all outboxes, in their order, to the tiles. Returns how many there were. `left(letter)` decides about
+    /// particles outside the grid: it gives their cell a valid value, or returns false to remove them.
+    template <class Lattice, class Left> std::size_t sort_mail(const Lattice& lattice, Left&& left) {
+        const std::size_t before = mail_.size();
+        for (auto& outbox : outboxes) {
+            for (letter& l : outbox) {
+                if (l.cell[0] == outside && !left(l)) {
+                    --count_;
+                    continue;
+                }
+                tile& t = tiles[static_cast<std::size_t>(tile_at(lattice, l.cell))];
+                l.next = std::exchange(t.letter, static_cast<int>(mail_.size()));
+                ++t.letters;
+                mail_.push_back(l);
+            }
+            outbox.clear();
+        }
+        // Slots are made here, not in `deliver`: that may run in several threads.
+        for (std::size_t k = before; k < mail_.size(); ++k) {
+            tile& t = tiles[static_cast<std::size_t>(tile_at(lattice, mail_[k].cell))];
+            if (t.count + t.letters > t.room) make_room(t, t.count + t.letters);
+        }
+        return mail_.size() - before;
+    }
+    bool has_mail() const { return !mail_.empty(); }
+    /// Puts a tile's letters in and gives back slots it no longer needs.
+    void deliver(tile& t) {
+        if (t.letter < 0) return;
+        for (int k = std::exchange(t.letter, -1); k >= 0;) {
+            const letter& from = mail_[static_cast<std::size_t>(k)];
+            const int l = from.cell[0] % W;
+            real* to = lane_of(free_slot(t, l), l);
+            for (int c = 0; c < components; ++c) to[c * W] = from.value[c];
+            k = from.next;
+        }
+        t.letters = 0;
+        tighten(t);
+    }
+    /// To be called once every tile has had its letters.
+    void mail_delivered() { mail_.clear(); }
+    void deliver_all() {
+        if (mail_.empty()) return;
+        for (tile& t : tiles) deliver(t);
+        mail_delivered();
+    }
+    /// Tiles in the order of their nodes, slots without gaps, when new tiles or gaps have become many.
+    template <class Lattice> void tidy(const Lattice& lattice) {
+        if (tiles.size() > sorted_ + sorted_ / 8 + 16 || slots.size() > tidied_ + tidied_ / 2 + 256) sort(lattice, 2);
+    }
+    template <class Lattice> void sort(const Lattice& lattice, std::uint32_t spare) {
+        deliver_all();
+        std::vector<std::size_t> order;
+        std::size_t needed = 0;
+        for (std::size_t k = 0; k < tiles.size(); ++k)
+            if (tiles[k].count > 0) {
+                order.push_back(k);
+                needed += tiles[k].count + spare;
+            }
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return tiles[a].node < tiles[b].node; });
+        std::vector<tile> new_tiles;
+        std::vector<slot> new_slots;
+        std::vector<std::uint32_t> new_occupied;
+        new_tiles.reserve(order.size());
+        new_slots.reserve(needed);
+        new_occupied.reserve(needed);
+        std::fill(tile_of_block_.begin(), tile_of_block_.end(), -1);
+        for (const std::size_t k : order) {
+            tile t = tiles[k];
+            const auto first = static_cast<std::uint32_t>(new_slots.size());
+            for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
+                new_slots.push_back(slots[s]);
+                new_occupied.push_back(occupied[s]);
+            }
+            for (std::uint32_t s = 0; s < spare; ++s) {
+                new_slots.emplace_back().set_zero();
+                new_occupied.push_back(0);
+            }
+            t.first = first;
+            t.room = t.count + spare;
+            tile_of_block_[lattice.block_place(t.at)] = static_cast<int>(new_tiles.size());
+            new_tiles.push_back(t);
+        }
+        tiles.swap(new_tiles);
+        slots.swap(new_slots);
+        occupied.swap(new_occupied);
+        sorted_ = tiles.size();
+        tidied_ = slots.size();
+        tiles_changed = true;
+    }
+    /// Share of the lanes in use that hold a particle.
+    double occupancy() const {
+        std::size_t lanes_in_use = 0;
+        for (const tile& t : tiles) lanes_in_use += static_cast<std::size_t>(t.count) * static_cast<std::size_t>(W);
+        return lanes_in_use == 0 ? 1.0 : static_cast<double>(count_) / static_cast<double>(lanes_in_use);
+    }
+
+    /// Groups the tiles into slabs across the outermost axis such that slabs k and k + 2 reach no common node. The partition
+    /// depends on the tiles only, never on the number of threads: so do the sums.
+    template <int N> void arrange() {
+        constexpr int thinnest = D == 1 ? (N - 2) / W + 1 : N - 1;
+        constexpr std::size_t outer = static_cast<std::size_t>(D - 1);
+        order_.resize(tiles.size());
+        for (std::size_t k = 0; k < order_.size(); ++k) order_[k] = static_cast<std::uint32_t>(k);
+        std::sort(order_.begin(), order_.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return tiles[a].node < tiles[b].node; });
+        slabs_.assign(1, 0);
+        if (tiles.size() > 64) {
+            const int low = tiles[order_.front()].at[outer], high = tiles[order_.back()].at[outer];
+            const int thickness = std::max(thinnest, (high - low) / 32 + 1);
+            for (int k = 0; k <= (high - low) / thickness; ++k) {
+                std::uint32_t last = slabs_.back();
+                while (last < order_.size() && (tiles[order_[last]].at[outer] - low) / thickness == k) ++last;
+                slabs_.push_back(last);
+            }
+        } else
+            slabs_.push_back(static_cast<std::uint32_t>(order_.size()));
+        outboxes.resize(slabs());
+    }
+    std::size_t slabs() const { return slabs_.size() - 1; }
+    /// Runs f(tile index) over the tiles of slab k, in the order of their nodes.
+    template <class F> TAMIS_INLINE void each_tile(std::size_t k, F&& f) const {
+        for (std::uint32_t j = slabs_[k]; j < slabs_[k + 1]; ++j) f(order_[j]);
+    }
+
+  private:
+    std::vector<std::uint32_t> order_, slabs_{0};
+    std::vector<letter> mail_;
+    std::vector<int> tile_of_block_;  // -1: none
+    std::size_t count_ = 0, sorted_ = 0, tidied_ = 0;
+
+    template <class Lattice> int tile_at(const Lattice& lattice, const std::array<int, 3>& cell) {
+        const std::array<int, 3> at{cell[0] / W, cell[1], cell[2]};
+        int& t = tile_of_block_[lattice.block_place(at)];
+        if (t < 0) {
+            t = static_cast<int>(tiles.size());
+            tiles.push_back({at, lattice.first_node(at), static_cast<std::uint32_t>(slots.size()), 0, 0, -1, 0});
+            tiles_changed = true;
+        }
+        return t;
+    }
+    void clear_lane(std::uint32_t s, int l) {
+        real* p = lane_of(s, l);
+        for (int c = 0; c < components; ++c) p[c * W] = real(0);
+        occupied[s] &= ~(1u << l);
+    }
+    /// A place with lane l free, marked as occupied.
+    std::uint32_t free_slot(tile& t, int l) {
+        for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
+            if (!(occupied[s] >> l & 1u)) {
+                occupied[s] |= 1u << l;
+                return s;
+            }
+        if (t.count == t.room) make_room(t, t.room == 0 ? 4 : t.room + std::max(2u, t.room / 2));
+        const std::uint32_t s = t.first + t.count++;
+        occupied[s] = 1u << l;
+        return s;
+    }
+    /// Moves the tile's slots to the end, where there is more room.
+    void make_room(tile& t, std::uint32_t room) {
+        const auto first = static_cast<std::uint32_t>(slots.size());
+        slots.resize(first + room);
+        occupied.resize(first + room, 0);
+        for (std::uint32_t k = 0; k < room; ++k) {
+            if (k < t.count) {
+                slots[first + k] = slots[t.first + k];
+                occupied[first + k] = std::exchange(occupied[t.first + k], 0u);
+            } else
+                slots[first + k].set_zero();
+        }
+        t.first = first;
+        t.room = room;
+    }
+    /// Gives back the last slots while lower ones can take their particles.
+    void tighten(tile& t) {
+        while (t.count > 0) {
+            const std::uint32_t last = t.first + t.count - 1;
+            std::uint32_t free_lanes = 0;
+            for (std::uint32_t s = t.first; s < last; ++s) free_lanes |= full & ~occupied[s];
+            if (occupied[last] & ~free_lanes) return;
+            for (int l = 0; l < W; ++l) {
+                if (!(occupied[last] >> l & 1u)) continue;
+                std::uint32_t s = t.first;
+                while (occupied[s] >> l & 1u) ++s;
+                real *to = lane_of(s, l), *from = lane_of(last, l);
+                for (int c = 0; c < components; ++c) to[c * W] = from[c * W];
+                occupied[s] |= 1u << l;
+                clear_lane(last, l);
+            }
+            --t.count;
+        }
+    }
+};
+
+}  // namespace tamis::detail

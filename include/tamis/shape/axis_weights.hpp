@@ -1,0 +1,33 @@
+#pragma once
+#include <tamis/core/unroll.hpp>
+
+#include <concepts>
+#include <string_view>
+
+namespace tamis {
+
+/// Values of the N functions that reach a particle along one axis, and their slopes per cell side.
+template <class T, int N> struct axis_weights {
+    T w[N], dw[N];
+};
+
+/// A shape function of one axis; the library takes the tensor product over the axes.
+/// `support`: how many nodes reach a particle along an axis. `shift`: 0 where cells of the bookkeeping start at nodes, 0.5
+/// where they are centred on nodes. `on_axis(r)`: the weights for a particle at place r in [0, 1] of its cell.
+template <class N>
+concept ShapeFunction = requires(const N& shape, double r) {
+    { N::support } -> std::convertible_to<int>;
+    { N::shift } -> std::convertible_to<double>;
+    { shape.on_axis(r) } -> std::same_as<axis_weights<double, N::support>>;
+};
+
+namespace detail {
+
+/// Nodes of the first cell that lie outside the box: their weight is folded onto the nodes inside.
+template <class Shape> inline constexpr int ghosts = (Shape::support - 2 + static_cast<int>(2 * Shape::shift)) / 2;
+
+/// Shapes whose slopes do not depend on the place in the cell need not store them.
+template <class Shape> inline constexpr bool constant_slope = requires { requires Shape::constant_slope; };
+
+}  // namespace detail
+}  // namespace tamis

@@ -1,0 +1,121 @@
+#pragma once
+#include <tamis/core/values.hpp>
+#include <tamis/shape/axis_weights.hpp>
+
+namespace tamis::detail {
+
+/// Which lanes of a tile lie in a cell at the lower or the upper wall, as 1 and 0, per axis.
+template <class S> struct wall_lanes {
+    typename S::scalar low[S::dim], high[S::dim];
+};
+
+/// Weights of the nodes around W particles: the product of N weights per axis.
+template <class S, int N> struct stencil {
+    using T = typename S::scalar;
+    using real = typename S::real;
+    axis_weights<T, N> axis[S::dim];
+
+    /// Slopes come per cell side and leave per unit of length.
+    template <class Shape>
+    TAMIS_INLINE void set(const Shape& shape, const typename S::vector& local, const T& inverse_spacing) {
+        unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
+            axis[d] = shape.on_axis(local[int(d)]);
+            unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA { axis[d].dw[k] *= inverse_spacing; });
+        });
+    }
+
+    /// Puts the weight of the ghost node beyond a wall on the nodes inside, as linear extrapolation does:
+    /// u_ghost = 2 u_wall - u_next.
+    TAMIS_INLINE void fold(const wall_lanes<S>& walls) {
+        if constexpr (N >= 3)
+            unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
+                fold_end<0, 1, 2>(axis[d].w, walls.low[d]);
+                fold_end<0, 1, 2>(axis[d].dw, walls.low[d]);
+                fold_end<N - 1, N - 2, N - 3>(axis[d].w, walls.high[d]);
+                fold_end<N - 1, N - 2, N - 3>(axis[d].dw, walls.high[d]);
+            });
+    }
+
+    /// Product over y and z, and its slopes.
+    struct across {
+        T w, d1, d2;
+    };
+    TAMIS_INLINE across row(int r) const {
+        if constexpr (S::dim == 1)
+            return {T(real(1)), T(real(0)), T(real(0))};
+        else if constexpr (S::dim == 2)
+            return {axis[1].w[r], axis[1].dw[r], T(real(0))};
+        else {
+            const int a = r % N, b = r / N;
+            return {axis[1].w[a] * axis[2].w[b], axis[1].dw[a] * axis[2].w[b], axis[1].w[a] * axis[2].dw[b]};
+        }
+    }
+    TAMIS_INLINE T weight(int a, const across& q) const {
+        if constexpr (S::dim == 1)
+            return axis[0].w[a];
+        else
+            return axis[0].w[a] * q.w;
+    }
+    TAMIS_INLINE typename S::vector slope(int a, const across& q) const {
+        typename S::vector g;
+        if constexpr (S::dim == 1)
+            g[0] = axis[0].dw[a];
+        else {
+            g[0] = axis[0].dw[a] * q.w;
+            g[1] = axis[0].w[a] * q.d1;
+            if constexpr (S::dim == 3) g[2] = axis[0].w[a] * q.d2;
+        }
+        return g;
+    }
+
+  private:
+    template <int Ghost, int Wall, int Next> TAMIS_INLINE static void fold_end(T (&w)[N], const T& at_wall) {
+        const T g = w[Ghost] * at_wall;
+        w[Ghost] -= g;
+        w[Wall] += g + g;
+        w[Next] -= g;
+    }
+};
+
+/// Weights kept with a particle that never moves: per axis N weights, and N slopes where the shape's slopes vary.
+template <class Shape> struct held_weights {
+    static constexpr std::string_view name = "weights";
+    static constexpr int per_axis = Shape::support * (constant_slope<Shape> ? 1 : 2);
+    template <class S> using value = Eigen::Matrix<typename S::scalar, S::dim * per_axis, 1, S::align>;
+    template <class S> static constexpr int components = S::dim * per_axis;
+
+    template <class S>
+    TAMIS_INLINE static void keep(value<S>& to, const stencil<S, Shape::support>& from) {
+        constexpr int N = Shape::support;
+        unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
+            unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
+                to[d * per_axis + k] = from.axis[d].w[k];
+                if constexpr (!constant_slope<Shape>) to[d * per_axis + N + k] = from.axis[d].dw[k];
+            });
+        });
+    }
+    template <class S>
+    TAMIS_INLINE static void recall(stencil<S, Shape::support>& to, const value<S>& from,
+                                    const typename S::scalar& inverse_spacing) {
+        constexpr int N = Shape::support;
+        unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
+            unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
+                to.axis[d].w[k] = from[d * per_axis + k];
+                if constexpr (constant_slope<Shape>) {
+                    static_assert(N == 2, "tamis: only two functions with constant slopes are a partition of unity");
+                    to.axis[d].dw[k] = k == 0 ? -inverse_spacing : inverse_spacing;
+                } else
+                    to.axis[d].dw[k] = from[d * per_axis + N + k];
+            });
+        });
+    }
+    /// Place in the cell along axis d, from component(c) of what was kept: the functions reproduce it (linear reproduction).
+    template <class S, class Component> TAMIS_INLINE static auto place(int d, const Component& component) {
+        using number = std::remove_cvref_t<decltype(component(0))>;
+        number r(typename S::real(Shape::shift - ghosts<Shape>));
+        for (int k = 1; k < Shape::support; ++k) r += number(typename S::real(k)) * component(d * per_axis + k);
+        return r;
+    }
+};
+
+}  // namespace tamis::detail

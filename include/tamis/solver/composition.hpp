@@ -1,0 +1,139 @@
+#pragma once
+#include <tamis/boundary/held_nodes.hpp>
+#include <tamis/core/execution.hpp>
+#include <tamis/grid/uniform_grid.hpp>
+#include <tamis/load/load.hpp>
+#include <tamis/shape/cubic_spline.hpp>
+#include <tamis/shape/linear.hpp>
+#include <tamis/shape/quadratic_spline.hpp>
+#include <tamis/solver/motion.hpp>
+#include <tamis/stress/order.hpp>
+#include <tamis/transfer/schemes.hpp>
+
+#include <tuple>
+
+namespace tamis::detail {
+
+enum class role { shape, transfer, stress_order, boundary, load, motion, execution, lanes, leaving, none };
+
+template <class P>
+concept TransferScheme = requires(const P& p) {
+    typename P::mass_type;
+    typename P::update_type;
+    p.mass;
+    p.particle;
+};
+template <class P>
+concept Motion = requires {
+    { P::moves } -> std::convertible_to<bool>;
+};
+template <class P>
+concept Lanes = requires { typename P::template type<double>; };
+template <class P>
+concept Leaving = requires {
+    { P::when_leaving } -> std::convertible_to<leaving_stops::choice>;
+};
+
+/// What a policy is for, told from its members.
+template <class P, class Point> consteval role role_of() {
+    if constexpr (ShapeFunction<P>)
+        return role::shape;
+    else if constexpr (TransferScheme<P>)
+        return role::transfer;
+    else if constexpr (StressOrder<P>)
+        return role::stress_order;
+    else if constexpr (is_conditions<P> || BoundaryCondition<P, Point>)
+        return role::boundary;
+    else if constexpr (BodyLoad<P, Point>)
+        return role::load;
+    else if constexpr (Motion<P>)
+        return role::motion;
+    else if constexpr (ExecutionPolicy<P>)
+        return role::execution;
+    else if constexpr (Lanes<P>)
+        return role::lanes;
+    else if constexpr (Leaving<P>)
+        return role::leaving;
+    else
+        return role::none;
+}
+
+template <class P, class Point> inline constexpr role role_v = role_of<P, Point>();
+
+template <role R, class Default, class Point, class... P> struct pick {
+    static constexpr int count = (0 + ... + (role_v<P, Point> == R ? 1 : 0));
+    static constexpr int place() {
+        int k = 0, found = -1;
+        ((found = role_v<P, Point> == R ? k : found, ++k), ...);
+        return found;
+    }
+    static_assert(count <= 1, "tamis: two policies of one role were given to solver{...}; keep one of them (several "
+                              "boundary conditions go into conditions{...})");
+    static auto of(const std::tuple<P...>& all) {
+        if constexpr (count == 0)
+            return Default{};
+        else
+            return std::get<static_cast<std::size_t>(place())>(all);
+    }
+    using type = decltype(of(std::declval<const std::tuple<P...>&>()));
+};
+
+template <class P, class Point> struct is_policy {
+    static_assert(role_v<P, Point> != role::none,
+                  "tamis: an argument of solver{...} is no policy: it has the members of none of shape, transfer, stress "
+                  "order, boundary condition, load, motion, execution, lanes, leaving; compare it with docs/concepts.md");
+    static constexpr bool value = role_v<P, Point> != role::none;
+};
+
+/// The policies of a solver by role, and the fields their union asks for.
+template <class Grid, class... P> struct composition {
+    static constexpr int dim = Grid::dim;
+    using real = typename Grid::real;
+    using point_type = point<dim, real>;
+    static_assert((is_policy<P, point_type>::value && ...));
+
+    template <role R, class Default> using by_role = pick<R, Default, point_type, P...>;
+    using shape = typename by_role<role::shape, quadratic_spline>::type;
+    using transfer = typename by_role<role::transfer, flip>::type;
+    using order = typename by_role<role::stress_order, usl_minus>::type;
+    using boundary = typename by_role<role::boundary, unbounded>::type;
+    using load = typename by_role<role::load, unloaded>::type;
+    using motion = typename by_role<role::motion, moving>::type;
+    using execution = typename by_role<role::execution, serial>::type;
+    using lane_policy = typename by_role<role::lanes, native_lanes>::type;
+    using leaving = typename by_role<role::leaving, leaving_stops>::type;
+
+    using S = space<dim, typename lane_policy::template type<real>>;
+    using mass = typename transfer::mass_type;
+    using update = typename transfer::update_type;
+
+    static constexpr bool moves = motion::moves;
+    static constexpr bool loaded = !requires { requires load::never; };
+    static constexpr bool remaps = order::remap && order::after > 0;
+
+    template <class U> struct to_move {
+        using type = fields<>;
+    };
+    template <class U> requires requires { typename U::to_move; } struct to_move<U> {
+        using type = typename U::to_move;
+    };
+    /// Node fields the update reads.
+    using gathers = merge_as_is<on_nodes_t<update>, std::conditional_t<moves, typename to_move<update>::type, fields<>>>;
+    /// The node field whose gradient strains the particles before the forces, and after the update.
+    using strains_before = std::conditional_t<mass::full, field::strain_velocity, field::velocity>;
+    using strains_after = std::conditional_t<!order::explicit_euler, field::velocity,
+                                             std::conditional_t<mass::full, field::strain_velocity, field::start_velocity>>;
+    static constexpr bool filters_first = mass::full && (order::before > 0 || order::explicit_euler);
+
+    using node_fields =
+        merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
+              std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>, fields<strains_after>>;
+    /// What the step itself needs of a particle.
+    using step_fields =
+        merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
+              fields<field::velocity, field::mass, field::volume, field::stress>, on_particles_t<mass>,
+              on_particles_t<update>, on_particles_t<load>,
+              std::conditional_t<moves && remaps, fields<field::displacement>, fields<>>>;
+};
+
+}  // namespace tamis::detail

@@ -1,0 +1,31 @@
+#pragma once
+#include <string_view>
+
+namespace tamis {
+
+/// Particles move with the material.
+struct moving {
+    static constexpr std::string_view name = "moving";
+    static constexpr bool moves = true;
+};
+/// Particles are held where they are: their weights, and the nodes' masses, are made once.
+struct held {
+    static constexpr std::string_view name = "held";
+    static constexpr bool moves = false;
+};
+
+/// What happens to a particle that leaves the grid: the run stops with an error.
+struct leaving_stops {
+    enum class choice { stop, clamp, remove };
+    static constexpr choice when_leaving = choice::stop;
+};
+/// ... it is put back on the wall, its velocity unchanged.
+struct leaving_clamps {
+    static constexpr auto when_leaving = leaving_stops::choice::clamp;
+};
+/// ... it is removed, with its mass and momentum.
+struct leaving_removes {
+    static constexpr auto when_leaving = leaving_stops::choice::remove;
+};
+
+}  // namespace tamis

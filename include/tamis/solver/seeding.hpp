@@ -1,0 +1,109 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/particles/body.hpp>
+#include <tamis/solver/composition.hpp>
+
+#include <concepts>
+#include <vector>
+
+namespace tamis {
+
+/// How many particles a cell gets along each axis; they are at (s + 1/2)/n of it.
+struct per_cell {
+    int count = 2;
+};
+
+/// A law: `density` (kg/m^Dim), `wave_speed()` or `wave_speed(dim)` (m/s), and `stress(p, grad_v, dt)`, the new Kirchhoff stress of
+/// a particle strained at rate grad_v (1/s) for dt (s). `on_particles` lists the fields it reads and writes.
+template <class L>
+concept Law = requires(const L& law) {
+    { law.density } -> std::convertible_to<double>;
+} && (requires(const L& law) {
+    { law.wave_speed() } -> std::convertible_to<double>;
+} || requires(const L& law) {
+    { law.wave_speed(1) } -> std::convertible_to<double>;
+});
+
+namespace detail {
+
+template <class L> void check_law(const L& law) {
+    static_assert(requires { law.density; }, "tamis: the law has no density; give it a member `double density`");
+    static_assert(requires { law.wave_speed(); } || requires { law.wave_speed(1); },
+                  "tamis: the law has no wave speed, from which time steps are chosen; give it a member function "
+                  "`double wave_speed() const`");
+    if constexpr (requires { law.check(); }) law.check();
+    if constexpr (requires { law.density; }) {
+        if (!(static_cast<double>(law.density) > 0))
+            throw error(sentence("make_body: the law's density is ", static_cast<double>(law.density),
+                                 "; give a positive number"));
+    }
+}
+
+/// Puts a particle at a point of the grid: its slot and lane.
+template <class C, class Body>
+void add_particle(Body& body, const typename C::shape& functions, const point<C::dim, typename C::real>& where,
+                  const typename C::real& volume, const typename C::real& density) {
+    using real = typename C::real;
+    using slot = typename Body::store_type::slot;
+    constexpr int D = C::dim, W = C::S::width;
+    const auto& lattice = body.lattice();
+    std::array<int, 3> cell;
+    point<D, real> local;
+    if (!lattice.locate(where, cell, local))
+        throw error(sentence("make_body: the particle at (", where.transpose(), ") is outside the grid, (",
+                             lattice.grid().lower().transpose(), ") to (", lattice.grid().upper().transpose(),
+                             "); enlarge the grid or leave it out"));
+    auto& store = body.store();
+    const std::uint32_t s = store.add(lattice, cell);
+    real* p = store.lane_of(s, cell[0] % W);
+    if constexpr (stores<typename Body::field_list, field::position>)
+        for (int d = 0; d < D; ++d) p[(slot::template first<field::position>() + d) * W] = local[d];
+    if constexpr (!C::moves) {
+        // The same functions as in the step, one lane wide.
+        using one = space<D, real>;
+        stencil<one, C::shape::support> st;
+        wall_lanes<one> walls;
+        for (int d = 0; d < D; ++d) {
+            const int c = cell[static_cast<std::size_t>(d)];
+            walls.low[d] = real(c == 0 ? 1 : 0);
+            walls.high[d] = real(c == lattice.bins(d) - 1 ? 1 : 0);
+        }
+        typename one::vector r;
+        for (int d = 0; d < D; ++d) r[d] = local[d];
+        st.set(functions, r, lattice.inverse_spacing());
+        if constexpr (ghosts<typename C::shape> > 0) st.fold(walls);
+        using weights = held_weights<typename C::shape>;
+        typename weights::template value<one> kept;
+        weights::template keep<one>(kept, st);
+        for (int c = 0; c < weights::template components<one>; ++c)
+            p[(slot::template first<weights>() + c) * W] = kept[c];
+    }
+    p[slot::template first<field::volume>() * W] = volume;
+    p[slot::template first<field::mass>() * W] = density * volume;
+    if constexpr (stores<typename Body::field_list, field::density>)
+        p[slot::template first<field::density>() * W] = density;
+    if constexpr (stores<typename Body::field_list, field::deformation>)
+        for (int d = 0; d < D; ++d) p[(slot::template first<field::deformation>() + d * (D + 1)) * W] = real(1);
+}
+
+/// Centres of the particles of a region.
+template <int D, class real, class Region>
+std::vector<point<D, real>> points_in(const uniform_grid<D, real>& grid, const Region& region, int count) {
+    std::array<int, 3> n{1, 1, 1};
+    for (int d = 0; d < D; ++d) n[static_cast<std::size_t>(d)] = grid.cells(d) * count;
+    std::vector<point<D, real>> points;
+    for (int k = 0; k < n[2]; ++k)
+        for (int j = 0; j < n[1]; ++j)
+            for (int i = 0; i < n[0]; ++i) {
+                const std::array<int, 3> index{i, j, k};
+                point<D, real> where;
+                for (int d = 0; d < D; ++d)
+                    where[d] = grid.lower()[d] +
+                               grid.spacing() * ((real(index[static_cast<std::size_t>(d)]) + real(0.5)) / real(count));
+                if (region(std::as_const(where))) points.push_back(where);
+            }
+    return points;
+}
+
+}  // namespace detail
+}  // namespace tamis

@@ -1,0 +1,93 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/core/names.hpp>
+
+namespace tamis {
+
+/// An order k that is known only at run time: `fmpm<dynamic>{k}`.
+inline constexpr int dynamic = -1;
+
+namespace detail {
+
+template <int K> struct term_count {
+    static_assert(K >= 1, "tamis: FMPM(k) and XPIC(k) need k >= 1; use fmpm<dynamic>{k} for a k known at run time, flip "
+                          "for no full mass matrix");
+    static constexpr int terms() { return K; }
+};
+template <> class term_count<dynamic> {
+  public:
+    explicit term_count(int k) : terms_(k) {
+        if (k < 1)
+            throw error(sentence("FMPM(k) and XPIC(k): k is ", k, "; give k >= 1"));
+    }
+    int terms() const { return terms_; }
+
+  private:
+    int terms_;
+};
+
+/// Adds A^l dv, 0 < l < k, to `To`, with A = I - S+ S and S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist 2021). By
+/// increments: the sum with alternating binomials is the same in exact arithmetic, but loses k log10(2) digits.
+/// `felt`: do particles feel what conditions take from the increments?
+template <class To, class Pass> void add_series(int terms, bool felt, Pass& pass) {
+    using namespace symbols;
+    for (int l = 1; l < terms; ++l) {
+        pass.spread_increment();
+        pass.nodes(fields<const field::inverse_mass, const field::image, field::increment, To>{}, [](auto i) {
+            i[dv] -= i[im] * i[Sdv];
+            i[To{}] += i[dv];
+        });
+        pass.template hold_increment<To>(felt);
+    }
+}
+
+}  // namespace detail
+
+/// Diagonal mass matrix: v = p/m.
+struct lumped_mass {
+    static constexpr bool full = false;
+    void solve(auto&) const {}
+};
+
+/// Full mass matrix S^T M S, inverted by k terms: v(k), FMPM(k) of Nairn & Hammerquist (2021).
+template <int K> struct full_mass : detail::term_count<K> {
+    using detail::term_count<K>::term_count;
+    static constexpr bool full = K != 1;
+    using on_nodes =
+        std::conditional_t<full, fields<const field::inverse_mass, field::velocity, field::increment, field::image>,
+                           fields<>>;
+    /// p+/m becomes v+(k).
+    void solve(auto& pass) const { filter<field::velocity>(true, pass); }
+    /// The velocity at hand becomes v(k) in `To`.
+    template <class To> void filter(bool felt, auto& pass) const {
+        using namespace symbols;
+        if constexpr (full) {
+            pass.nodes(fields<const field::velocity, field::increment>{}, [](auto i) { i[dv] = i[v]; });
+            if constexpr (!std::same_as<To, field::velocity>)
+                pass.nodes(fields<const field::velocity, To>{}, [](auto i) { i[To{}] = i[v]; });
+            detail::add_series<To>(this->terms(), felt, pass);
+        }
+    }
+};
+
+/// XPIC(k) of Hammerquist & Nairn (2017): the full mass matrix acts on the momentum of the step's start only.
+template <int K> struct filtered_mass : detail::term_count<K> {
+    using detail::term_count<K>::term_count;
+    static constexpr bool full = false;
+    static constexpr bool series = K != 1;
+    using on_nodes = merge<fields<const field::inverse_mass, field::start_velocity, field::filtered_velocity>,
+                           std::conditional_t<series, fields<field::increment, field::image>, fields<>>>;
+    /// a becomes M^-1 p + a dt.
+    void solve(auto& pass) const {
+        using namespace symbols;
+        const auto dt = pass.dt();
+        pass.nodes(fields<const field::acceleration, const field::start_velocity, field::filtered_velocity>{},
+                   [dt](auto i) { i[v_filtered] = i[v_start] + dt * i[a]; });
+        if constexpr (series) {
+            pass.nodes(fields<const field::start_velocity, field::increment>{}, [](auto i) { i[dv] = i[v_start]; });
+            detail::add_series<field::filtered_velocity>(this->terms(), true, pass);
+        }
+    }
+};
+
+}  // namespace tamis

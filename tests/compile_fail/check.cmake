@@ -1,0 +1,43 @@
+# cmake -DCOMPILER=<compiler> -DFLAGS=<response file> -DSOURCE=<file> -P check.cmake
+cmake_minimum_required(VERSION 3.22)
+get_filename_component(name ${SOURCE} NAME)
+execute_process(COMMAND ${COMPILER} @${FLAGS} ${SOURCE}
+                RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+
+if(name STREQUAL "good.cpp")
+    if(NOT result EQUAL 0)
+        message("${output}")
+        message(FATAL_ERROR "good.cpp must compile, or the other tests here prove nothing. The reason is above.")
+    endif()
+    return()
+endif()
+
+if(result EQUAL 0)
+    message(FATAL_ERROR "${name} compiled, but it must be refused.")
+endif()
+
+# Taken line by line from the text: in a CMake list, semicolons and brackets have a meaning of their own.
+file(READ ${SOURCE} text)
+set(found_any FALSE)
+while(text MATCHES "// expect: ([^\r\n]+)")
+    set(found_any TRUE)
+    set(expected "${CMAKE_MATCH_1}")
+    string(FIND "${output}" "${expected}" place)
+    if(place EQUAL -1)
+        message("${output}")
+        message(FATAL_ERROR "${name} was refused, but without the text\n  ${expected}\nThe compiler's words are above.")
+    endif()
+    string(FIND "${text}" "// expect: ${expected}" place)
+    string(LENGTH "// expect: ${expected}" length)
+    math(EXPR place "${place} + ${length}")
+    string(SUBSTRING "${text}" ${place} -1 text)
+endwhile()
+if(NOT found_any)
+    message(FATAL_ERROR "${name} does not say which text the compiler must print: add a line `// expect: <text>`.")
+endif()
+
+string(REGEX REPLACE "([.+])" "\\\\\\1" pattern ${name})
+if(NOT output MATCHES "${pattern}:[0-9]+(:[0-9]+)?: +(fatal error|error|note|required from)")
+    message("${output}")
+    message(FATAL_ERROR "${name} was refused, but no message points at a line of it. The compiler's words are above.")
+endif()

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "scene.hpp"
+
+namespace reference {
+
+/// Shape functions of all nodes at all particles, as full matrices (particles x nodes), and the masses they give.
+struct basis {
+    Eigen::MatrixXd S;
+    std::vector<Eigen::MatrixXd> G;  ///< one matrix per axis, 1/length
+    Eigen::VectorXd mass;            ///< m = S^T M
+    Eigen::VectorXd inverse_mass;    ///< 1/m; 0 at a node that takes no part
+    Eigen::MatrixXd A;               ///< I - S+ S with S+ = m^-1 S^T M
+
+    bool takes_part(Eigen::Index node) const { return mass[node] >= std::numeric_limits<double>::min(); }
+};
+
+/// Products over the axes: S_pi = prod_d w_d, G_pi = the same with the slope of one axis in place of its weight.
+inline basis evaluate_basis(const scene& set, const Eigen::MatrixXd& x, const Eigen::VectorXd& particle_mass) {
+    const Eigen::Index dimension = set.dimension();
+    const Eigen::Index nodes = set.node_count();
+    basis made;
+    made.S.resize(x.rows(), nodes);
+    made.G.assign(static_cast<std::size_t>(dimension), Eigen::MatrixXd(x.rows(), nodes));
+
+    for (Eigen::Index p = 0; p < x.rows(); ++p) {
+        std::vector<axis_values> axes;
+        for (Eigen::Index d = 0; d < dimension; ++d)
+            axes.push_back(evaluate_axis(set.shape, x(p, d), set.lower[d], set.spacing, set.nodes_along(d)));
+        for (Eigen::Index i = 0; i < nodes; ++i) {
+            const std::vector<Eigen::Index> index = set.node_index(i);
+            double product = 1;
+            for (std::size_t d = 0; d < axes.size(); ++d) product *= axes[d].weight[index[d]];
+            made.S(p, i) = product;
+            for (std::size_t b = 0; b < axes.size(); ++b) {
+                double derivative = 1;
+                for (std::size_t d = 0; d < axes.size(); ++d)
+                    derivative *= d == b ? axes[d].slope[index[d]] : axes[d].weight[index[d]];
+                made.G[b](p, i) = derivative;
+            }
+        }
+    }
+
+    made.mass = made.S.transpose() * particle_mass;
+    made.inverse_mass = Eigen::VectorXd::Zero(nodes);
+    for (Eigen::Index i = 0; i < nodes; ++i)
+        if (made.takes_part(i)) made.inverse_mass[i] = 1 / made.mass[i];
+    const Eigen::MatrixXd gather = made.inverse_mass.asDiagonal() * (made.S.transpose() * particle_mass.asDiagonal());
+    made.A = Eigen::MatrixXd::Identity(nodes, nodes) - gather * made.S;
+    return made;
+}
+
+}  // namespace reference
