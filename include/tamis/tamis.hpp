@@ -15,3 +15,8 @@
 #include <tamis/particles/body.hpp>
 #include <tamis/transfer/schemes.hpp>
 #include <tamis/solver/solver.hpp>
+#include <tamis/solver/initial.hpp>
+#include <tamis/solver/integrate.hpp>
+#include <tamis/observe/atomic_file.hpp>
+#include <tamis/observe/measure.hpp>
+#include <tamis/observe/progress.hpp>

@@ -136,4 +136,26 @@ template <class S, class Shape> class lattice {
     std::array<real, static_cast<std::size_t>(W)> first_lane_{}, last_lane_{};
 };
 
+/// Weights at one place of a cell: the functions of the step, one lane wide.
+template <class S, class Shape>
+stencil<space<S::dim, typename S::real>, Shape::support>
+stencil_at(const lattice<S, Shape>& lattice, const Shape& functions, const std::array<int, 3>& cell,
+           const point<S::dim, typename S::real>& local) {
+    using real = typename S::real;
+    using one = space<S::dim, real>;
+    stencil<one, Shape::support> st;
+    const typename one::vector r = local;
+    st.set(functions, r, lattice.inverse_spacing());
+    if constexpr (ghosts<Shape> > 0) {
+        wall_lanes<one> walls;
+        for (int d = 0; d < S::dim; ++d) {
+            const int c = cell[static_cast<std::size_t>(d)];
+            walls.low[d] = real(c == 0 ? 1 : 0);
+            walls.high[d] = real(c == lattice.bins(d) - 1 ? 1 : 0);
+        }
+        st.fold(walls);
+    }
+    return st;
+}
+
 }  // namespace tamis::detail

@@ -29,6 +29,18 @@ template <class Tensor> TAMIS_INLINE Tensor elastic_stress(double poisson, const
     }
 }
 
+/// Strain of isotropic linear elasticity for unit Young's modulus: the inverse of `elastic_stress`.
+template <class Tensor> Tensor elastic_strain(double poisson, const Tensor& tau) {
+    using T = typename Tensor::Scalar;
+    if constexpr (Tensor::RowsAtCompileTime == 1)
+        return tau;
+    else {
+        // Plane strain: the third direction's stress nu tr(tau) belongs to the trace.
+        const T trace = tau.trace() * constant<T>(Tensor::RowsAtCompileTime == 2 ? 1 + poisson : 1.0);
+        return constant<T>(1 + poisson) * tau - (constant<T>(poisson) * trace) * Tensor::Identity();
+    }
+}
+
 /// Speed of longitudinal waves (m/s).
 inline double elastic_wave_speed(int dim, double young, double poisson, double density) {
     return std::sqrt((dim == 1 ? young : young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))) / density);
@@ -48,25 +60,17 @@ struct linear_elastic {
     template <class Tensor> Tensor at_strain(auto&&, const Tensor& strain) const {
         return constant<typename Tensor::Scalar>(young) * detail::elastic_stress(poisson, strain);
     }
-    /// Stored elastic energy of a particle per reference volume (J/m^Dim).
-    template <class Tensor> auto energy(auto&&, const Tensor& tau) const {
-        return elastic_energy(young, poisson, tau);
+    /// Strain of a particle at a given stress.
+    template <class Tensor> Tensor strain_at(auto&&, const Tensor& tau) const {
+        return detail::elastic_strain(poisson, tau) / constant<typename Tensor::Scalar>(young);
+    }
+    /// Elastic energy of a particle per reference volume (J/m^Dim).
+    template <class Tensor> auto energy(auto&& p, const Tensor& tau) const {
+        return tau.cwiseProduct(strain_at(p, tau)).sum() / 2;
     }
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         const Tensor strain = (L + L.transpose()) * (dt / 2);
         return p[symbols::sigma] + at_strain(p, strain);
-    }
-    template <class Tensor>
-    static typename Tensor::Scalar elastic_energy(double young, double poisson, const Tensor& tau) {
-        using real = typename Tensor::Scalar;
-        if constexpr (Tensor::RowsAtCompileTime == 1)
-            return tau(0, 0) * tau(0, 0) / (2 * real(young));
-        else {
-            // Plane strain holds the third direction: sigma_zz = nu (sigma_xx + sigma_yy).
-            const real tr = Tensor::RowsAtCompileTime == 2 ? tau.trace() * real(1 + poisson) : tau.trace();
-            const real zz = Tensor::RowsAtCompileTime == 2 ? real(poisson) * tau.trace() : real(0);
-            return (real(1 + poisson) * (tau.squaredNorm() + zz * zz) - real(poisson) * tr * tr) / (2 * real(young));
-        }
     }
 };
 
@@ -90,8 +94,11 @@ struct varying_elastic {
     template <class Tensor> Tensor at_strain(auto&& p, const Tensor& strain) const {
         return p[symbols::E] * detail::elastic_stress(poisson, strain);
     }
+    template <class Tensor> Tensor strain_at(auto&& p, const Tensor& tau) const {
+        return detail::elastic_strain(poisson, tau) / p[symbols::E];
+    }
     template <class Tensor> auto energy(auto&& p, const Tensor& tau) const {
-        return linear_elastic::elastic_energy(static_cast<double>(p[symbols::E]), poisson, tau);
+        return tau.cwiseProduct(strain_at(p, tau)).sum() / 2;
     }
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         const Tensor strain = (L + L.transpose()) * (dt / 2);

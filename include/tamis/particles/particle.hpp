@@ -9,9 +9,10 @@ namespace detail {
 template <int Dim, class Real> class symmetric_reference {
   public:
     symmetric_reference(Real* first, int stride) : first_(first), stride_(stride) {}
-    operator matrix<Dim, Real>() const { return value(); }
-    matrix<Dim, Real> value() const {
-        matrix<Dim, Real> full;
+    using tensor = matrix<Dim, std::remove_const_t<Real>>;
+    operator tensor() const { return value(); }
+    tensor value() const {
+        tensor full;
         for (int d = 0; d < Dim; ++d)
             for (int e = 0; e < Dim; ++e) full(d, e) = (*this)(d, e);
         return full;

@@ -59,22 +59,10 @@ void add_particle(Body& body, const typename C::shape& functions, const point<C:
     if constexpr (stores<typename Body::field_list, field::position>)
         for (int d = 0; d < D; ++d) p[(slot::template first<field::position>() + d) * W] = local[d];
     if constexpr (!C::moves) {
-        // The same functions as in the step, one lane wide.
         using one = space<D, real>;
-        stencil<one, C::shape::support> st;
-        wall_lanes<one> walls;
-        for (int d = 0; d < D; ++d) {
-            const int c = cell[static_cast<std::size_t>(d)];
-            walls.low[d] = real(c == 0 ? 1 : 0);
-            walls.high[d] = real(c == lattice.bins(d) - 1 ? 1 : 0);
-        }
-        typename one::vector r;
-        for (int d = 0; d < D; ++d) r[d] = local[d];
-        st.set(functions, r, lattice.inverse_spacing());
-        if constexpr (ghosts<typename C::shape> > 0) st.fold(walls);
         using weights = held_weights<typename C::shape>;
         typename weights::template value<one> kept;
-        weights::template keep<one>(kept, st);
+        weights::template keep<one>(kept, stencil_at(lattice, functions, cell, local));
         for (int c = 0; c < weights::template components<one>; ++c)
             p[(slot::template first<weights>() + c) * W] = kept[c];
     }

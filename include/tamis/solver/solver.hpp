@@ -55,6 +55,7 @@ template <class Grid, class... Policies> class solver {
     const typename C::transfer& scheme() const { return transfer_; }
     const typename C::shape& functions() const { return shape_; }
     const typename C::load& load() const { return load_; }
+    const auto& lattice() const { return lattice_; }
 
     /// A body of a law: particles in every cell where region(place) is true. Fields named in `fields<...>{}` are stored and
     /// kept besides those the policies ask for. Throws `error` if there are none, or if a parameter makes no sense.

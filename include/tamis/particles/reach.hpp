@@ -1,0 +1,45 @@
+#pragma once
+#include <tamis/particles/body.hpp>
+
+namespace tamis {
+
+/// A node that reaches a particle.
+template <int Dim, class Real> struct near_node {
+    std::array<int, 3> index;  // along x, y, z
+    point<Dim, Real> at;
+    Real weight;
+    point<Dim, Real> slope;
+};
+
+/// Calls f(near_node) for every node of the grid whose shape function reaches a point; for set-up and observation. False if the
+/// point is outside the grid.
+template <class S, class Shape, class F>
+bool each_near_node(const detail::lattice<S, Shape>& lattice, const Shape& functions,
+                    const point<S::dim, typename S::real>& where, F&& f) {
+    using real = typename S::real;
+    constexpr int D = S::dim, N = Shape::support;
+    std::array<int, 3> cell;
+    point<D, real> local;
+    if (!lattice.locate(where, cell, local)) return false;
+    const auto st = detail::stencil_at(lattice, functions, cell, local);
+    const auto& grid = lattice.grid();
+    for (int row = 0; row < detail::lattice<S, Shape>::rows; ++row) {
+        const auto across = st.row(row);
+        for (int a = 0; a < N; ++a) {
+            const std::array<int, 3> offset{a, row % N, row / N};
+            near_node<D, real> node{{0, 0, 0}, {}, st.weight(a, across), st.slope(a, across)};
+            bool exists = true;
+            for (int d = 0; d < D; ++d) {
+                const auto k = static_cast<std::size_t>(d);
+                node.index[k] = cell[k] + offset[k] - detail::ghosts<Shape>;
+                exists = exists && node.index[k] >= 0 && node.index[k] <= grid.cells(d);
+            }
+            if (!exists) continue;
+            node.at = grid.node(node.index);
+            f(std::as_const(node));
+        }
+    }
+    return true;
+}
+
+}  // namespace tamis
