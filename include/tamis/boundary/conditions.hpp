@@ -8,8 +8,9 @@
 
 namespace tamis {
 
-/// A condition on the velocity of nodes. `holds(at)`: does it apply to the node there? `velocity(at, t)`: the velocity it
-/// gives, asked only where it holds. With `normal(at)`, a unit vector, only that direction is held: v.n = velocity.n; else all.
+/// A condition on the velocity of nodes. `holds(at)`: does it apply to the node there? `velocity(at, t)`: the velocity
+/// it gives, asked only where it holds. With `normal(at)`, a unit vector, only that direction is held: v.n =
+/// velocity.n; else all.
 template <class B, class Point>
 concept BoundaryCondition = requires(const B& condition, const Point& at, double t) {
     { condition.holds(at) } -> std::convertible_to<bool>;
@@ -44,26 +45,22 @@ template <class Region, class Direction> struct slip {
 };
 template <class Region, class Direction> slip(Region, Direction) -> slip<Region, Direction>;
 
-/// Nodes of a region move with a given velocity(at, t).
-template <class Region, class Velocity, class... Direction> struct prescribed;
-template <class Region, class Velocity> struct prescribed<Region, Velocity> {
+/// Every component of the velocity.
+struct all_directions {};
+
+/// Nodes of a region move with a given velocity(at, t), or take its part along `direction` (a unit vector) and are free
+/// across.
+template <class Region, class Velocity, class Direction = all_directions> struct prescribed {
     Region region;
     Velocity value;
+    [[no_unique_address]] Direction direction{};
     bool holds(const auto& at) const { return region(at); }
     auto velocity(const auto& at, auto t) const { return value(at, t); }
-};
-/// ... along `direction` (a unit vector); the rest is free.
-template <class Region, class Velocity, class Direction> struct prescribed<Region, Velocity, Direction> {
-    Region region;
-    Velocity value;
-    Direction direction;
-    bool holds(const auto& at) const { return region(at); }
-    auto velocity(const auto& at, auto t) const { return value(at, t); }
-    auto normal(const auto&) const { return direction; }
+    auto normal(const auto&) const requires(!std::same_as<Direction, all_directions>) { return direction; }
 };
 template <class Region, class Velocity> prescribed(Region, Velocity) -> prescribed<Region, Velocity>;
-template <class Region, class Velocity, class Direction>
-prescribed(Region, Velocity, Direction) -> prescribed<Region, Velocity, Direction>;
+template <class Region, class Velocity, class Direction> prescribed(Region, Velocity, Direction)
+    -> prescribed<Region, Velocity, Direction>;
 
 /// Several conditions at once; at a node they must hold different directions, or agree.
 template <class... Condition> struct conditions {

@@ -13,7 +13,8 @@ namespace tamis {
 /// A node that conditions hold, with what they added in the last step.
 template <int Dim, class Real> struct held_node {
     point<Dim, Real> at;
-    /// Force of the conditions on the node (N), mean over the step: the sum over nodes balances the particles' momentum.
+    /// Force of the conditions on the node (N), mean over the step: the sum over nodes balances the particles'
+    /// momentum.
     point<Dim, Real> reaction;
     /// Held velocity at the end of the step (free directions: 0).
     point<Dim, Real> velocity;
@@ -21,8 +22,8 @@ template <int Dim, class Real> struct held_node {
 
 namespace detail {
 
-/// The incremental boundary method (numerics.md, section 6): held components of p/m take their values of t at once, those of
-/// p+/m the values of t + dt, and those of every further increment of the full mass matrix's series are zero.
+/// The incremental boundary method (numerics.md, section 6): held components of p/m take their values of t at once,
+/// those of p+/m the values of t + dt, and those of every further increment of the full mass matrix's series are zero.
 ///
 /// Conditions at one node are made orthonormal once; values follow by the same triangular map.
 template <class S, class Shape, class Boundary> class held_nodes {
@@ -37,7 +38,8 @@ template <class S, class Shape, class Boundary> class held_nodes {
     }
 
     /// Momentum p takes its held values of time t. `share` is the part of that change that reaches the particles.
-    template <class Nodes> void start(const Nodes& nodes, double t, bool masses_are_new, const real& inverse_dt, double share) {
+    template <class Nodes>
+    void start(const Nodes& nodes, double t, bool masses_are_new, const real& inverse_dt, double share) {
         if constexpr (any) {
             set_values(t);
             for (entry& e : entries_) {
@@ -48,10 +50,9 @@ template <class S, class Shape, class Boundary> class held_nodes {
             }
         }
     }
-    /// Force f becomes the one that carries p (with its values of t) to the held values of time t. The momentum's column holds
-    /// the momentum itself, or already the velocity.
-    template <bool HoldsVelocity, class Nodes>
-    void forces(const Nodes& nodes, double t, const real& inverse_dt) {
+    /// Force f becomes the one that carries p (with its values of t) to the held values of time t. The momentum's
+    /// column holds the momentum itself, or already the velocity.
+    template <bool HoldsVelocity, class Nodes> void forces(const Nodes& nodes, double t, const real& inverse_dt) {
         if constexpr (any) {
             for (entry& e : entries_) e.before = e.node.velocity;
             set_values(t);
@@ -73,8 +74,7 @@ template <class S, class Shape, class Boundary> class held_nodes {
     template <class Nodes> void extrapolated(const Nodes& nodes, double t) {
         if constexpr (any) {
             set_values(t);
-            for (entry& e : entries_)
-                impose(nodes, e, get<field::momentum>(nodes, e.place), e.mass, field::momentum{});
+            for (entry& e : entries_) impose(nodes, e, get<field::momentum>(nodes, e.place), e.mass, field::momentum{});
         }
     }
     /// Held components of an increment become zero, in it and in the sum it was already added to.
@@ -122,7 +122,8 @@ template <class S, class Shape, class Boundary> class held_nodes {
         std::size_t place;
         int directions = 0;
         std::array<vector, static_cast<std::size_t>(D)> normal;  // orthonormal
-        std::array<std::array<real, static_cast<std::size_t>(D)>, static_cast<std::size_t>(D)> map;  // normal = map * given
+        std::array<std::array<real, static_cast<std::size_t>(D)>, static_cast<std::size_t>(D)>
+            map;                                              // normal = map * given
         std::array<int, static_cast<std::size_t>(D)> source;  // index into given_
         std::array<real, static_cast<std::size_t>(D)> value{};
         real mass{};
@@ -145,7 +146,8 @@ template <class S, class Shape, class Boundary> class held_nodes {
         for (int d = 0; d < D; ++d) a[d] = nodes.template column<F>(d)[place];
         return a;
     }
-    template <class F, class Nodes> TAMIS_INLINE static void put(const Nodes& nodes, std::size_t place, const vector& a) {
+    template <class F, class Nodes>
+    TAMIS_INLINE static void put(const Nodes& nodes, std::size_t place, const vector& a) {
         for (int d = 0; d < D; ++d) nodes.template column<F>(d)[place] = a[d];
     }
     template <class Nodes> static void take_mass(const Nodes& nodes, entry& e) {

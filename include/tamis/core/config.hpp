@@ -1,6 +1,6 @@
 #pragma once
-// Kernels are written with small Eigen matrices of lanes. GCC's inliner leaves some of Eigen's operators out of line, and
-// sums then go through memory (1.4 times slower on AVX2), so Eigen's own switch is set before its first header.
+// Kernels are written with small Eigen matrices of lanes. GCC's inliner leaves some of Eigen's operators out of line,
+// and sums then go through memory (1.4 times slower on AVX2), so Eigen's own switch is set before its first header.
 // Include tamis before Eigen to have the effect; the other order is correct, only slower.
 #if !defined(EIGEN_STRONG_INLINE) && defined(__GNUC__) && defined(__OPTIMIZE__)
 #define EIGEN_STRONG_INLINE __attribute__((always_inline)) inline

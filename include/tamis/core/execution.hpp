@@ -30,8 +30,8 @@ struct serial {
 class threads {
   public:
     static constexpr std::string_view name = "threads";
-    /// 0: as many as OpenMP would take. Throws `error` if the number is negative, or if the program was compiled without
-    /// OpenMP (-fopenmp).
+    /// 0: as many as OpenMP would take. Throws `error` if the number is negative, or if the program was compiled
+    /// without OpenMP (-fopenmp).
     explicit threads(int count = 0) : count_(count) {
         if (count < 0) throw error(detail::sentence("threads: the number is ", count, "; give 0 (all) or more"));
 #if defined(_OPENMP)

@@ -18,12 +18,12 @@ struct vector_field {
 };
 struct tensor_field {
     template <class S> using value = typename S::tensor;
-    template <class S> static constexpr int components = S::dim * S::dim;
+    template <class S> static constexpr int components = (S::dim * S::dim);
 };
 /// A symmetric tensor: stored as its upper half, read and written as a full tensor.
 struct symmetric_field {
-    template <class S> using value = Eigen::Matrix<typename S::scalar, S::dim*(S::dim + 1) / 2, 1, S::align>;
-    template <class S> static constexpr int components = S::dim * (S::dim + 1) / 2;
+    template <class S> using value = Eigen::Matrix<typename S::scalar, (S::dim * (S::dim + 1)) / 2, 1, S::align>;
+    template <class S> static constexpr int components = S::dim*(S::dim + 1) / 2;
 };
 
 /// A field: an empty type that says its name and how many numbers it holds in a space.
@@ -40,25 +40,22 @@ namespace detail {
 
 /// The field whose column F lives in. A field may overwrite another that nobody reads any more, as the node velocity
 /// does with the momentum: it says so with `using shares = other;`.
-template <class F> struct column_of {
-    using type = F;
-};
-template <class F> requires requires { typename F::shares; } struct column_of<F> {
+template <class F> struct column_of { using type = F; };
+template <class F>
+requires requires { typename F::shares; }
+struct column_of<F> {
     using type = typename F::shares;
 };
 template <class F> using column_of_t = typename column_of<std::remove_const_t<F>>::type;
 
-template <class Set, class... Lists> struct merge_columns {
-    using type = Set;
-};
+template <class Set, class... Lists> struct merge_columns { using type = Set; };
 
 }  // namespace detail
 
 /// Is F, const or not, in the list?
 template <class List, class F> inline constexpr bool contains = false;
 template <class... L, class F>
-inline constexpr bool contains<fields<L...>, F> =
-    (std::same_as<std::remove_const_t<L>, std::remove_const_t<F>> || ...);
+inline constexpr bool contains<fields<L...>, F> = (std::same_as<std::remove_const_t<L>, std::remove_const_t<F>> || ...);
 /// Is F in the list, and not only read?
 template <class List, class F> inline constexpr bool writes = false;
 template <class... L, class F> inline constexpr bool writes<fields<L...>, F> = (std::same_as<L, F> || ...);
@@ -67,23 +64,23 @@ template <class List, class F> inline constexpr bool stores = contains<List, det
 
 namespace detail {
 
-template <class... S, class... Rest>
-struct merge_columns<fields<S...>, fields<>, Rest...> : merge_columns<fields<S...>, Rest...> {};
-template <class... S, class F, class... L, class... Rest>
-struct merge_columns<fields<S...>, fields<F, L...>, Rest...>
-    : merge_columns<std::conditional_t<contains<fields<S...>, column_of_t<F>>, fields<S...>, fields<S..., column_of_t<F>>>,
-            fields<L...>, Rest...> {};
+template <class... S, class... Rest> struct merge_columns<fields<S...>, fields<>, Rest...>
+    : merge_columns<fields<S...>, Rest...> {};
+template <class... S, class F, class... L, class... Rest> struct merge_columns<fields<S...>, fields<F, L...>, Rest...>
+    : merge_columns<
+          std::conditional_t<contains<fields<S...>, column_of_t<F>>, fields<S...>, fields<S..., column_of_t<F>>>,
+          fields<L...>, Rest...> {};
 
-template <class P> struct on_particles {
-    using type = fields<>;
-};
-template <class P> requires requires { typename P::on_particles; } struct on_particles<P> {
+template <class P> struct on_particles { using type = fields<>; };
+template <class P>
+requires requires { typename P::on_particles; }
+struct on_particles<P> {
     using type = typename P::on_particles;
 };
-template <class P> struct on_nodes {
-    using type = fields<>;
-};
-template <class P> requires requires { typename P::on_nodes; } struct on_nodes<P> {
+template <class P> struct on_nodes { using type = fields<>; };
+template <class P>
+requires requires { typename P::on_nodes; }
+struct on_nodes<P> {
     using type = typename P::on_nodes;
 };
 
@@ -95,13 +92,10 @@ template <class... F> struct each_field<fields<F...>> {
 };
 
 /// Union of lists with every field under its own name.
-template <class Set, class... Lists> struct merge_names {
-    using type = Set;
-};
-template <class... S, class... Rest>
-struct merge_names<fields<S...>, fields<>, Rest...> : merge_names<fields<S...>, Rest...> {};
-template <class... S, class F, class... L, class... Rest>
-struct merge_names<fields<S...>, fields<F, L...>, Rest...>
+template <class Set, class... Lists> struct merge_names { using type = Set; };
+template <class... S, class... Rest> struct merge_names<fields<S...>, fields<>, Rest...>
+    : merge_names<fields<S...>, Rest...> {};
+template <class... S, class F, class... L, class... Rest> struct merge_names<fields<S...>, fields<F, L...>, Rest...>
     : merge_names<std::conditional_t<contains<fields<S...>, F>, fields<S...>, fields<S..., std::remove_const_t<F>>>,
                   fields<L...>, Rest...> {};
 template <class... Lists> using merge_as_is = typename merge_names<fields<>, Lists...>::type;

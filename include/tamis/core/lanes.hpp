@@ -53,11 +53,13 @@ template <class Real, class Arch> struct lane<xsimd::batch<Real, Arch>> {
 
     /// Lanes moved up by K places; zeros come in at the bottom.
     template <int K> TAMIS_INLINE static T up(const T& a) {
-        return shuffle(a, [](int l) { return l < K ? 0 : width + l - K; }, zero_first{});
+        return shuffle(
+            a, [](int l) { return l < K ? 0 : width + l - K; }, zero_first{});
     }
     /// The lanes that `up<K>` moved out at the top, at the bottom; zeros elsewhere.
     template <int K> TAMIS_INLINE static T over(const T& a) {
-        return shuffle(a, [](int l) { return l < K ? width - K + l : width; }, zero_last{});
+        return shuffle(
+            a, [](int l) { return l < K ? width - K + l : width; }, zero_last{});
     }
 
   private:
@@ -101,7 +103,8 @@ template <int W> struct lanes : one_lane {
 #endif
 
 /// mask ? yes : no, lane by lane: how a law branches.
-template <class Mask, class T> TAMIS_INLINE T select(const Mask& mask, const T& yes, const std::type_identity_t<T>& no) {
+template <class Mask, class T>
+TAMIS_INLINE T select(const Mask& mask, const T& yes, const std::type_identity_t<T>& no) {
     return lane<T>::select(mask, yes, no);
 }
 

@@ -10,7 +10,8 @@ TAMIS_INLINE constexpr void unroll_sequence(std::integer_sequence<int, I...>, Ke
     (kernel(std::integral_constant<int, I>{}), ...);
 }
 
-/// kernel(0), ..., kernel(N - 1) with compile-time indices: a run-time index would keep small matrices out of registers.
+/// kernel(0), ..., kernel(N - 1) with compile-time indices: a run-time index would keep small matrices out of
+/// registers.
 template <int N, class Kernel> TAMIS_INLINE constexpr void unroll(Kernel&& kernel) {
     unroll_sequence(std::make_integer_sequence<int, N>{}, kernel);
 }

@@ -37,16 +37,13 @@ template <class S, class Value> TAMIS_INLINE auto& component(Value& value, int c
         return value.data()[c];
 }
 
-template <class S, class F> struct held_value {
-    typename F::template value<S> value;
-};
+template <class S, class F> struct held_value { typename F::template value<S> value; };
 
 }  // namespace detail
 
 /// One row of fields: one value each, in W lanes.
 template <class S, class List> struct values;
-template <class S, class... F>
-struct values<S, fields<F...>> : detail::held_value<S, std::remove_const_t<F>>... {
+template <class S, class... F> struct values<S, fields<F...>> : detail::held_value<S, std::remove_const_t<F>>... {
     using list = fields<F...>;
     static constexpr int components = (0 + ... + F::template components<S>);
 
@@ -55,8 +52,9 @@ struct values<S, fields<F...>> : detail::held_value<S, std::remove_const_t<F>>..
     template <class G> TAMIS_INLINE const auto& get() const { return detail::held_value<S, place_of<G>>::value; }
     /// Number of components before those of G.
     template <class G> static constexpr int first() {
-        static_assert(stores<list, G>, "tamis: no policy of this scene asked for that field; name it in make_body's "
-                                       "last argument, fields<...>{}");
+        static_assert(stores<list, G>,
+                      "tamis: no policy of this scene asked for that field; name it in make_body's "
+                      "last argument, fields<...>{}");
         int c = 0;
         bool found = false;
         ((found = found || std::same_as<std::remove_const_t<F>, detail::column_of_t<G>>,
@@ -67,8 +65,7 @@ struct values<S, fields<F...>> : detail::held_value<S, std::remove_const_t<F>>..
     TAMIS_INLINE void set_zero() { (zero(get<F>()), ...); }
 
   private:
-    template <class G>
-    using place_of =
+    template <class G> using place_of =
         std::conditional_t<contains<list, G>, std::remove_const_t<G>, detail::column_of_t<G>>;
     template <class Value> TAMIS_INLINE static void zero(Value& value) {
         if constexpr (std::same_as<Value, typename S::scalar>)
@@ -82,8 +79,9 @@ struct values<S, fields<F...>> : detail::held_value<S, std::remove_const_t<F>>..
 template <class Values, class Shown> struct view {
     Values& all;
     template <class F> TAMIS_INLINE decltype(auto) operator[](F) const {
-        static_assert(contains<Shown, F>, "tamis: a policy touches a field it did not declare; add it to the policy's "
-                                          "on_particles or on_nodes list");
+        static_assert(contains<Shown, F>,
+                      "tamis: a policy touches a field it did not declare; add it to the policy's "
+                      "on_particles or on_nodes list");
         if constexpr (writes<Shown, F>)
             return (all.template get<F>());
         else

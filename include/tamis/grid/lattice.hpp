@@ -14,9 +14,9 @@ template <class S> struct frame {
     std::array<typename S::real, static_cast<std::size_t>(S::dim)> corner;  // of lane 0's cell
 };
 
-/// How a grid is laid out for a shape and W lanes: cells of the bookkeeping (centred on nodes for shapes with shift 0.5), and
-/// node rows along x padded to whole blocks of W. Node i of an axis is stored at i + ghosts; cell c reaches storage places
-/// c ... c + N - 1.
+/// How a grid is laid out for a shape and W lanes: cells of the bookkeeping (centred on nodes for shapes with shift
+/// 0.5), and node rows along x padded to whole blocks of W. Node i of an axis is stored at i + ghosts; cell c reaches
+/// storage places c ... c + N - 1.
 template <class S, class Shape> class lattice {
   public:
     using real = typename S::real;
@@ -53,7 +53,8 @@ template <class S, class Shape> class lattice {
     }
     std::size_t block_place(const cell_index& tile) const {
         return (static_cast<std::size_t>(tile[2]) * static_cast<std::size_t>(blocks_[1]) +
-                static_cast<std::size_t>(tile[1])) * static_cast<std::size_t>(blocks_[0]) +
+                static_cast<std::size_t>(tile[1])) *
+                   static_cast<std::size_t>(blocks_[0]) +
                static_cast<std::size_t>(tile[0]);
     }
     /// Storage place of the first node that a tile's lane 0 reaches.
@@ -79,8 +80,8 @@ template <class S, class Shape> class lattice {
     frame<S> frame_of(const cell_index& tile) const {
         frame<S> f{grid_.spacing(), inverse_spacing_, {}};
         for (int d = 0; d < D; ++d)
-            f.corner[at(d)] = grid_.lower()[d] +
-                              grid_.spacing() * (real(d == 0 ? tile[0] * W : tile[at(d)]) - real(Shape::shift));
+            f.corner[at(d)] =
+                grid_.lower()[d] + grid_.spacing() * (real(d == 0 ? tile[0] * W : tile[at(d)]) - real(Shape::shift));
         return f;
     }
     /// Does the tile have cells whose functions are folded at a wall?
@@ -105,7 +106,8 @@ template <class S, class Shape> class lattice {
         return walls;
     }
 
-    /// Cell and place in it of a point; false if the point is not in the box. A point on a wall is in the cell beside it.
+    /// Cell and place in it of a point; false if the point is not in the box. A point on a wall is in the cell beside
+    /// it.
     bool locate(const point<D, real>& where, cell_index& cell, point<D, real>& local) const {
         cell = {0, 0, 0};
         for (int d = 0; d < D; ++d) {
@@ -138,15 +140,16 @@ template <class S, class Shape> class lattice {
 
 /// Weights at one place of a cell: the functions of the step, one lane wide.
 template <class S, class Shape>
-stencil<space<S::dim, typename S::real>, Shape::support>
-stencil_at(const lattice<S, Shape>& lattice, const Shape& functions, const std::array<int, 3>& cell,
-           const point<S::dim, typename S::real>& local) {
+stencil<space<S::dim, typename S::real>, Shape::support> stencil_at(const lattice<S, Shape>& lattice,
+                                                                    const Shape& functions,
+                                                                    const std::array<int, 3>& cell,
+                                                                    const point<S::dim, typename S::real>& local) {
     using real = typename S::real;
     using one = space<S::dim, real>;
     stencil<one, Shape::support> st;
     const typename one::vector r = local;
     st.set(functions, r, lattice.inverse_spacing());
-    if constexpr (ghosts<Shape> > 0) {
+    if constexpr (ghosts < Shape >> 0) {
         wall_lanes<one> walls;
         for (int d = 0; d < S::dim; ++d) {
             const int c = cell[static_cast<std::size_t>(d)];

@@ -66,7 +66,7 @@ template <int Dim, class Real = double> class uniform_grid {
     Real spacing_{};
 };
 
-template <class Real, std::size_t N>
-uniform_grid(const Real (&)[N], const Real (&)[N], Real) -> uniform_grid<static_cast<int>(N), Real>;
+template <class Real, std::size_t N> uniform_grid(const Real (&)[N], const Real (&)[N], Real)
+    -> uniform_grid<static_cast<int>(N), Real>;
 
 }  // namespace tamis

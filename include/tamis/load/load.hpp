@@ -6,8 +6,8 @@
 
 namespace tamis {
 
-/// A body acceleration (m/s^2): `acceleration(x, v, t)` at a particle's place and velocity of the step's start. It is called
-/// particle by particle; with `static constexpr bool in_lanes = true;` it is called with vectors of lanes.
+/// A body acceleration (m/s^2): `acceleration(x, v, t)` at a particle's place and velocity of the step's start. It is
+/// called particle by particle; with `static constexpr bool in_lanes = true;` it is called with vectors of lanes.
 template <class L, class Vector>
 concept BodyLoad = requires(const L& load, const Vector& x, const Vector& v, double t) {
     { load.acceleration(x, v, t) } -> std::convertible_to<Vector>;
@@ -34,9 +34,8 @@ template <class Vector> gravity(Vector) -> gravity<Vector>;
 /// An acceleration f(x, v, t) given as a function, for instance a lambda.
 template <class Function> struct body_acceleration {
     Function function;
-    auto acceleration(const auto& x, const auto& v, auto t) const
-        requires std::invocable<const Function&, decltype(x), decltype(v), decltype(t)>
-    {
+    auto acceleration(const auto& x, const auto& v,
+                      auto t) const requires std::invocable<const Function&, decltype(x), decltype(v), decltype(t)> {
         return function(x, v, t);
     }
 };

@@ -83,7 +83,8 @@ struct varying_elastic {
     void check() const { detail::check_elastic(young, poisson, density); }
     void start(auto p) const { p[symbols::E] = young; }
     void check(auto p) const {
-        if (!(p[symbols::E] > 0)) throw error(detail::sentence("its modulus is ", p[symbols::E], "; give a positive number"));
+        if (!(p[symbols::E] > 0))
+            throw error(detail::sentence("its modulus is ", p[symbols::E], "; give a positive number"));
     }
     double wave_speed(int dim) const { return detail::elastic_wave_speed(dim, young, poisson, density); }
     /// Wave speed at a particle of its own density.

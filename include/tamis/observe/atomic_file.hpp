@@ -11,8 +11,8 @@
 
 namespace tamis {
 
-/// A text file that appears whole or not at all: it is written under another name beside its place, and takes its own at `commit`.
-/// Without it the text is thrown away. Throws `error` where the file cannot be written.
+/// A text file that appears whole or not at all: it is written under another name beside its place, and takes its own
+/// at `commit`. Without it the text is thrown away. Throws `error` where the file cannot be written.
 class atomic_file {
   public:
     explicit atomic_file(std::filesystem::path path) : path_(std::move(path)), draft_(path_.string() + ".part") {
@@ -22,11 +22,15 @@ class atomic_file {
         }
         out_.open(draft_);
         if (!out_)
-            throw error(detail::sentence("cannot write ", draft_.string(), "; check that its folder exists and may be written to"));
+            throw error(detail::sentence("cannot write ", draft_.string(),
+                                         "; check that its folder exists and may be written to"));
         out_.precision(std::numeric_limits<double>::max_digits10);
     }
     atomic_file(atomic_file&& other) noexcept
-        : path_(std::move(other.path_)), draft_(std::move(other.draft_)), out_(std::move(other.out_)), open_(std::exchange(other.open_, false)) {}
+        : path_(std::move(other.path_)),
+          draft_(std::move(other.draft_)),
+          out_(std::move(other.out_)),
+          open_(std::exchange(other.open_, false)) {}
     atomic_file& operator=(atomic_file&&) = delete;
     ~atomic_file() {
         if (!open_) return;

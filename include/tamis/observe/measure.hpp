@@ -28,13 +28,15 @@ template <class Body> auto kinetic_energy(const Body& body) {
 /// Energy stored in a body by its law (J): the sum of V0 times the law's energy per reference volume.
 template <class Body> auto elastic_energy(const Body& body) {
     using namespace symbols;
-    static_assert(requires { body.law.energy(*body.begin(), matrix<Body::dim, typename Body::real>()); },
-                  "tamis: the law has no stored energy; give it a member function `energy(p, tau)`, J per reference volume");
+    static_assert(
+        requires { body.law.energy(*body.begin(), matrix<Body::dim, typename Body::real>()); },
+        "tamis: the law has no stored energy; give it a member function `energy(p, tau)`, J per reference volume");
     return sum_over(body, [&](const auto& p) { return p[V] * body.law.energy(p, p[sigma]); });
 }
 /// Mass-weighted mean of a field over a body.
 template <class Body, class F> auto mean(const Body& body, F field) {
-    using value = std::remove_cvref_t<decltype((sum_over(body, [&](const auto& p) { return (p[field] * p[symbols::m]).eval(); })))>;
+    using value = std::remove_cvref_t<decltype((
+        sum_over(body, [&](const auto& p) { return (p[field] * p[symbols::m]).eval(); })))>;
     return value(sum_over(body, [&](const auto& p) { return value(p[field] * p[symbols::m]); }) / total_mass(body));
 }
 /// Largest particle speed of a body (m/s).

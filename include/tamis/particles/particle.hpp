@@ -31,8 +31,8 @@ template <int Dim, class Real> class symmetric_reference {
 
 }  // namespace detail
 
-/// One particle of a body, for set-up and observation: `p[v][0] = 1`, `p[m]`, `p[x]` (by value). Storage is columns of W
-/// lanes, so vectors and tensors are Eigen maps with a stride.
+/// One particle of a body, for set-up and observation: `p[v][0] = 1`, `p[m]`, `p[x]` (by value). Storage is columns of
+/// W lanes, so vectors and tensors are Eigen maps with a stride.
 template <class Body, bool Const> class particle {
   public:
     using S = typename Body::space_type;

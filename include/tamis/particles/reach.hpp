@@ -11,11 +11,11 @@ template <int Dim, class Real> struct near_node {
     point<Dim, Real> slope;
 };
 
-/// Calls f(near_node) for every node of the grid whose shape function reaches a point; for set-up and observation. False if the
-/// point is outside the grid.
-template <class S, class Shape, class F>
-bool each_near_node(const detail::lattice<S, Shape>& lattice, const Shape& functions,
-                    const point<S::dim, typename S::real>& where, F&& f) {
+/// Calls f(near_node) for every node of the grid whose shape function reaches a point; for set-up and observation.
+/// False if the point is outside the grid.
+template <class S, class Shape, class F> bool each_near_node(const detail::lattice<S, Shape>& lattice,
+                                                             const Shape& functions,
+                                                             const point<S::dim, typename S::real>& where, F&& f) {
     using real = typename S::real;
     constexpr int D = S::dim, N = Shape::support;
     std::array<int, 3> cell;

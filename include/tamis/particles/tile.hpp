@@ -11,18 +11,18 @@ namespace tamis::detail {
 
 /// W neighbouring cells along x; lane l of each of its slots holds a particle of cell l, or is empty.
 struct tile {
-    std::array<int, 3> at;        // block along x, cells along y and z
-    std::size_t node;             // storage place of the first node that lane 0 reaches
-    std::uint32_t first, count;   // slots in use
-    std::uint32_t room;           // slots kept for it
-    int letter;                   // first letter to be delivered, -1: none
+    std::array<int, 3> at;       // block along x, cells along y and z
+    std::size_t node;            // storage place of the first node that lane 0 reaches
+    std::uint32_t first, count;  // slots in use
+    std::uint32_t room;          // slots kept for it
+    int letter;                  // first letter to be delivered, -1: none
     std::uint32_t letters;
 };
 
 /// Particle storage: tiles exist only where particles are. Empty lanes hold zeros, hence no mass.
 ///
-/// A particle that leaves its cell goes into a letter (`post`); `sort_mail` hands the letters to their tiles, and `deliver`
-/// puts them in, when the next pass brings the tile into cache.
+/// A particle that leaves its cell goes into a letter (`post`); `sort_mail` hands the letters to their tiles, and
+/// `deliver` puts them in, when the next pass brings the tile into cache.
 template <class S, class List> class tile_store {
   public:
     using real = typename S::real;
@@ -75,8 +75,8 @@ template <class S, class List> class tile_store {
         to.origin = static_cast<std::size_t>(s) * static_cast<std::size_t>(W) + static_cast<std::size_t>(l);
         clear_lane(s, l);
     }
-    /// Hands the letters of all outboxes, in their order, to the tiles. Returns how many there were. `left(letter)` decides about
-    /// particles outside the grid: it gives their cell a valid value, or returns false to remove them.
+    /// Hands the letters of all outboxes, in their order, to the tiles. Returns how many there were. `left(letter)`
+    /// decides about particles outside the grid: it gives their cell a valid value, or returns false to remove them.
     template <class Lattice, class Left> std::size_t sort_mail(const Lattice& lattice, Left&& left) {
         const std::size_t before = mail_.size();
         for (auto& outbox : outboxes) {
@@ -172,8 +172,8 @@ template <class S, class List> class tile_store {
         return lanes_in_use == 0 ? 1.0 : static_cast<double>(count_) / static_cast<double>(lanes_in_use);
     }
 
-    /// Groups the tiles into slabs across the outermost axis such that slabs k and k + 2 reach no common node. The partition
-    /// depends on the tiles only, never on the number of threads: so do the sums.
+    /// Groups the tiles into slabs across the outermost axis such that slabs k and k + 2 reach no common node. The
+    /// partition depends on the tiles only, never on the number of threads: so do the sums.
     template <int N> void arrange() {
         constexpr int thinnest = D == 1 ? (N - 2) / W + 1 : N - 1;
         constexpr std::size_t outer = static_cast<std::size_t>(D - 1);

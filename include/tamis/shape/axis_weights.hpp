@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/lanes.hpp>
 #include <tamis/core/unroll.hpp>
 
 #include <concepts>
@@ -7,13 +8,11 @@
 namespace tamis {
 
 /// Values of the N functions that reach a particle along one axis, and their slopes per cell side.
-template <class T, int N> struct axis_weights {
-    T w[N], dw[N];
-};
+template <class T, int N> struct axis_weights { T w[N], dw[N]; };
 
 /// A shape function of one axis; the library takes the tensor product over the axes.
-/// `support`: how many nodes reach a particle along an axis. `shift`: 0 where cells of the bookkeeping start at nodes, 0.5
-/// where they are centred on nodes. `on_axis(r)`: the weights for a particle at place r in [0, 1] of its cell.
+/// `support`: how many nodes reach a particle along an axis. `shift`: 0 where cells of the bookkeeping start at nodes,
+/// 0.5 where they are centred on nodes. `on_axis(r)`: the weights for a particle at place r in [0, 1] of its cell.
 template <class N>
 concept ShapeFunction = requires(const N& shape, double r) {
     { N::support } -> std::convertible_to<int>;

@@ -3,8 +3,8 @@
 
 namespace tamis {
 
-/// Cubic B-splines on the nodes' spacing: continuous second derivatives. In the cell at a wall the function of the ghost
-/// node beyond it is folded in by u_ghost = 2 u_wall - u_next, the end of a natural spline (docs/method.md).
+/// Cubic B-splines on the nodes' spacing: continuous second derivatives. In the cell at a wall the function of the
+/// ghost node beyond it is folded in by u_ghost = 2 u_wall - u_next, the end of a natural spline (docs/method.md).
 struct cubic_spline {
     static constexpr std::string_view name = "cubic";
     static constexpr int support = 4;

@@ -3,8 +3,9 @@
 
 namespace tamis {
 
-/// Quadratic B-splines on the nodes' spacing: continuous slopes. In the half cell at a wall the function of the ghost node
-/// beyond it is folded in by u_ghost = 2 u_wall - u_next, which leaves the linear functions there (docs/method.md).
+/// Quadratic B-splines on the nodes' spacing: continuous slopes. In the half cell at a wall the function of the ghost
+/// node beyond it is folded in by u_ghost = 2 u_wall - u_next, which leaves the linear functions there
+/// (docs/method.md).
 struct quadratic_spline {
     static constexpr std::string_view name = "quadratic";
     static constexpr int support = 3;

@@ -5,9 +5,7 @@
 namespace tamis::detail {
 
 /// Which lanes of a tile lie in a cell at the lower or the upper wall, as 1 and 0, per axis.
-template <class S> struct wall_lanes {
-    typename S::scalar low[S::dim], high[S::dim];
-};
+template <class S> struct wall_lanes { typename S::scalar low[S::dim], high[S::dim]; };
 
 /// Weights of the nodes around W particles: the product of N weights per axis.
 template <class S, int N> struct stencil {
@@ -82,10 +80,9 @@ template <class Shape> struct held_weights {
     static constexpr std::string_view name = "weights";
     static constexpr int per_axis = Shape::support * (constant_slope<Shape> ? 1 : 2);
     template <class S> using value = Eigen::Matrix<typename S::scalar, S::dim * per_axis, 1, S::align>;
-    template <class S> static constexpr int components = S::dim * per_axis;
+    template <class S> static constexpr int components = (S::dim * per_axis);
 
-    template <class S>
-    TAMIS_INLINE static void keep(value<S>& to, const stencil<S, Shape::support>& from) {
+    template <class S> TAMIS_INLINE static void keep(value<S>& to, const stencil<S, Shape::support>& from) {
         constexpr int N = Shape::support;
         unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
             unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
@@ -94,9 +91,8 @@ template <class Shape> struct held_weights {
             });
         });
     }
-    template <class S>
-    TAMIS_INLINE static void recall(stencil<S, Shape::support>& to, const value<S>& from,
-                                    const typename S::scalar& inverse_spacing) {
+    template <class S> TAMIS_INLINE static void recall(stencil<S, Shape::support>& to, const value<S>& from,
+                                                       const typename S::scalar& inverse_spacing) {
         constexpr int N = Shape::support;
         unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
             unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
@@ -109,7 +105,8 @@ template <class Shape> struct held_weights {
             });
         });
     }
-    /// Place in the cell along axis d, from component(c) of what was kept: the functions reproduce it (linear reproduction).
+    /// Place in the cell along axis d, from component(c) of what was kept: the functions reproduce it (linear
+    /// reproduction).
     template <class S, class Component> TAMIS_INLINE static auto place(int d, const Component& component) {
         using number = std::remove_cvref_t<decltype(component(0))>;
         number r(typename S::real(Shape::shift - ghosts<Shape>));

@@ -28,7 +28,9 @@ concept Motion = requires {
     { P::moves } -> std::convertible_to<bool>;
 };
 template <class P>
-concept Lanes = requires { typename P::template type<double>; };
+concept Lanes = requires {
+    typename P::template type<double>;
+};
 template <class P>
 concept Leaving = requires {
     { P::when_leaving } -> std::convertible_to<leaving_stops::choice>;
@@ -67,8 +69,9 @@ template <role R, class Default, class Point, class... P> struct pick {
         ((found = role_v<P, Point> == R ? k : found, ++k), ...);
         return found;
     }
-    static_assert(count <= 1, "tamis: two policies of one role were given to solver{...}; keep one of them (several "
-                              "boundary conditions go into conditions{...})");
+    static_assert(count <= 1,
+                  "tamis: two policies of one role were given to solver{...}; keep one of them (several "
+                  "boundary conditions go into conditions{...})");
     static auto of(const std::tuple<P...>& all) {
         if constexpr (count == 0)
             return Default{};
@@ -79,9 +82,10 @@ template <role R, class Default, class Point, class... P> struct pick {
 };
 
 template <class P, class Point> struct is_policy {
-    static_assert(role_v<P, Point> != role::none,
-                  "tamis: an argument of solver{...} is no policy: it has the members of none of shape, transfer, stress "
-                  "order, boundary condition, load, motion, execution, lanes, leaving; compare it with docs/concepts.md");
+    static_assert(
+        role_v<P, Point> != role::none,
+        "tamis: an argument of solver{...} is no policy: it has the members of none of shape, transfer, stress "
+        "order, boundary condition, load, motion, execution, lanes, leaving; compare it with docs/concepts.md");
     static constexpr bool value = role_v<P, Point> != role::none;
 };
 
@@ -111,29 +115,30 @@ template <class Grid, class... P> struct composition {
     static constexpr bool loaded = !requires { requires load::never; };
     static constexpr bool remaps = order::remap && order::after > 0;
 
-    template <class U> struct to_move {
-        using type = fields<>;
-    };
-    template <class U> requires requires { typename U::to_move; } struct to_move<U> {
+    template <class U> struct to_move { using type = fields<>; };
+    template <class U>
+    requires requires { typename U::to_move; }
+    struct to_move<U> {
         using type = typename U::to_move;
     };
     /// Node fields the update reads.
-    using gathers = merge_as_is<on_nodes_t<update>, std::conditional_t<moves, typename to_move<update>::type, fields<>>>;
+    using gathers =
+        merge_as_is<on_nodes_t<update>, std::conditional_t<moves, typename to_move<update>::type, fields<>>>;
     /// The node field whose gradient strains the particles before the forces, and after the update.
     using strains_before = std::conditional_t<mass::full, field::strain_velocity, field::velocity>;
-    using strains_after = std::conditional_t<!order::explicit_euler, field::velocity,
-                                             std::conditional_t<mass::full, field::strain_velocity, field::start_velocity>>;
+    using strains_after =
+        std::conditional_t<!order::explicit_euler, field::velocity,
+                           std::conditional_t<mass::full, field::strain_velocity, field::start_velocity>>;
     static constexpr bool filters_first = mass::full && (order::before > 0 || order::explicit_euler);
 
     using node_fields =
         merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
               std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>, fields<strains_after>>;
     /// What the step itself needs of a particle.
-    using step_fields =
-        merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
-              fields<field::velocity, field::mass, field::volume, field::stress>, on_particles_t<mass>,
-              on_particles_t<update>, on_particles_t<load>,
-              std::conditional_t<moves && remaps, fields<field::displacement>, fields<>>>;
+    using step_fields = merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
+                              fields<field::velocity, field::mass, field::volume, field::stress>, on_particles_t<mass>,
+                              on_particles_t<update>, on_particles_t<load>,
+                              std::conditional_t<moves && remaps, fields<field::displacement>, fields<>>>;
 };
 
 }  // namespace tamis::detail

@@ -19,8 +19,7 @@ template <int D, class Real, class Value> point<D, Real> as_point(const Value& v
 
 /// Particle velocities from velocity(place), in m/s.
 template <class Body, class F> void set_velocity_of(Body& body, const F& velocity) {
-    for (auto p : body)
-        p[symbols::v] = detail::as_point<Body::dim, typename Body::real>(velocity(p[symbols::x]));
+    for (auto p : body) p[symbols::v] = detail::as_point<Body::dim, typename Body::real>(velocity(p[symbols::x]));
 }
 /// Particle masses from density(place), in kg/m^Dim: M = rho V0.
 template <class Body, class F> void set_density_of(Body& body, const F& density) {
@@ -35,8 +34,8 @@ template <class Body, class F> void set_density_of(Body& body, const F& density)
         if constexpr (Body::has(rho)) p[rho] = value;
     }
 }
-/// Particle stresses from strain(place), a tensor or, in 1D, a number: what the law gives at that strain. Density and strain of
-/// particles follow where they are stored: rho = rho0/(1 + tr strain).
+/// Particle stresses from strain(place), a tensor or, in 1D, a number: what the law gives at that strain. Density and
+/// strain of particles follow where they are stored: rho = rho0/(1 + tr strain).
 template <class Body, class F> void set_strain_of(Body& body, const F& strain) {
     using namespace symbols;
     using real = typename Body::real;

@@ -25,8 +25,8 @@ struct fixed_steps {
     long count;
     double limit = 1.0;
 };
-/// Steps by the Courant number (c + |V|) dt/h, c the law's wave speed, |V| the speed of the fastest particle (of moving ones
-/// only: held particles carry nothing along). The last step ends exactly at the end.
+/// Steps by the Courant number (c + |V|) dt/h, c the law's wave speed, |V| the speed of the fastest particle (of moving
+/// ones only: held particles carry nothing along). The last step ends exactly at the end.
 struct courant {
     double number;
     double limit = 1.0;
@@ -42,12 +42,15 @@ template <class Body> double wave_speed_of(const Body& body) {
         c = static_cast<double>(body.law.wave_speed(Body::dim));
     else
         c = static_cast<double>(body.law.wave_speed());
-    if constexpr (requires { typename Body::law_type; body.law.density; } &&
-                  !requires { body.law.wave_speed_at(*body.begin(), Body::dim); }) {
+    if constexpr (
+        requires {
+            typename Body::law_type;
+            body.law.density;
+        } &&
+        !requires { body.law.wave_speed_at(*body.begin(), Body::dim); }) {
         // A body given another density than its law's has another wave speed.
         double lightest = static_cast<double>(body.law.density);
-        for (const auto p : body)
-            lightest = std::min(lightest, static_cast<double>(p[symbols::m] / p[symbols::V]));
+        for (const auto p : body) lightest = std::min(lightest, static_cast<double>(p[symbols::m] / p[symbols::V]));
         c *= std::sqrt(static_cast<double>(body.law.density) / lightest);
     }
     return c;
@@ -67,15 +70,18 @@ template <bool Moves, class... Body> double signal_speed(const std::tuple<Body&.
 }
 
 /// Throws if a particle's velocity or stress is not a number.
-template <class Solver, class... Body> void check_finite(const Solver& mpm, const std::tuple<Body&...>& all, double dt) {
+template <class Solver, class... Body>
+void check_finite(const Solver& mpm, const std::tuple<Body&...>& all, double dt) {
     const auto one = [&](const auto& body) {
         long k = 0;
         for (const auto p : body) {
             const double sum = static_cast<double>(p[symbols::v].sum() + p[symbols::sigma].sum());
             if (!std::isfinite(sum))
                 throw error(sentence("particle ", k, " at (", p[symbols::x].transpose(), "), step ", mpm.steps(),
-                                     ", t = ", mpm.time(), ": its velocity or stress is not a number. Likely causes: a time "
-                                     "step above the stability limit (dt = ", dt, "), or a law that returned one"));
+                                     ", t = ", mpm.time(),
+                                     ": its velocity or stress is not a number. Likely causes: a time "
+                                     "step above the stability limit (dt = ",
+                                     dt, "), or a law that returned one"));
             ++k;
         }
     };
@@ -84,16 +90,18 @@ template <class Solver, class... Body> void check_finite(const Solver& mpm, cons
 
 inline void check_courant(double number, double limit, double dt, long step, double t) {
     if (!(number <= limit))
-        throw error(sentence("step ", step, ", t = ", t, ": the Courant number (c + |V|) dt/h is ", number, " with dt = ", dt,
-                             ", above the limit of ", limit, "; take steps of at most ", dt * limit / number));
+        throw error(sentence("step ", step, ", t = ", t, ": the Courant number (c + |V|) dt/h is ", number,
+                             " with dt = ", dt, ", above the limit of ", limit, "; take steps of at most ",
+                             dt * limit / number));
 }
 
 template <class Observer> void tell(Observer& observer, const progress_state& state) {
     if constexpr (std::invocable<Observer&, const progress_state&>)
         observer(state);
     else {
-        static_assert(std::invocable<Observer&, double>, "tamis: an observer of integrate is called with the time, "
-                                                         "f(double t), or with a progress_state; this one takes neither");
+        static_assert(std::invocable<Observer&, double>,
+                      "tamis: an observer of integrate is called with the time, "
+                      "f(double t), or with a progress_state; this one takes neither");
         observer(state.time);
     }
 }
@@ -108,13 +116,14 @@ template <class F> auto every(long n, F f) {
     };
 }
 
-/// Steps the bodies from span.begin to span.end. Observers are called at the start and after every step. Throws `error` if the
-/// Courant number goes beyond its limit, or if a particle is not a number (looked for every 1000 steps and at the end).
-/// Returns the number of steps.
+/// Steps the bodies from span.begin to span.end. Observers are called at the start and after every step. Throws `error`
+/// if the Courant number goes beyond its limit, or if a particle is not a number (looked for every 1000 steps and at
+/// the end). Returns the number of steps.
 template <class Solver, class... Body, class... Observer>
 long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps steps, Observer&&... observers) {
     using real = typename Solver::real;
-    if (!(span.end > span.begin)) throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
+    if (!(span.end > span.begin))
+        throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
     if (steps.count < 1)
         throw error(detail::sentence("integrate: ", steps.count, " steps; give fixed_steps{1} or more"));
     const double dt = (span.end - span.begin) / static_cast<double>(steps.count);
@@ -142,8 +151,10 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
 template <class Solver, class... Body, class... Observer>
 long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pace, Observer&&... observers) {
     using real = typename Solver::real;
-    if (!(span.end > span.begin)) throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
-    if (!(pace.number > 0)) throw error(detail::sentence("integrate: the Courant number is ", pace.number, "; give a positive one"));
+    if (!(span.end > span.begin))
+        throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
+    if (!(pace.number > 0))
+        throw error(detail::sentence("integrate: the Courant number is ", pace.number, "; give a positive one"));
     detail::check_courant(pace.number, pace.limit, 0, 0, span.begin);
     const double h = static_cast<double>(mpm.grid().spacing());
     mpm.start_at(span.begin);
@@ -156,7 +167,8 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pac
         from = state.time;
         since = 0;
         const double wanted = (span.end - from) * speed / (pace.number * h);
-        if (!(wanted < 1e15)) throw error("integrate: the bodies' speed is not finite; check the law and the velocities");
+        if (!(wanted < 1e15))
+            throw error("integrate: the bodies' speed is not finite; check the law and the velocities");
         left = std::max(1L, static_cast<long>(std::ceil(wanted * (1 - 1e-12))));
         dt = (span.end - from) / static_cast<double>(left);
         state.steps = done + left;

@@ -13,24 +13,30 @@ struct per_cell {
     int count = 2;
 };
 
-/// A law: `density` (kg/m^Dim), `wave_speed()` or `wave_speed(dim)` (m/s), and `stress(p, grad_v, dt)`, the new Kirchhoff stress of
-/// a particle strained at rate grad_v (1/s) for dt (s). `on_particles` lists the fields it reads and writes.
+/// A law: `density` (kg/m^Dim), `wave_speed()` or `wave_speed(dim)` (m/s), and `stress(p, grad_v, dt)`, the new
+/// Kirchhoff stress of a particle strained at rate grad_v (1/s) for dt (s). `on_particles` lists the fields it reads
+/// and writes.
 template <class L>
 concept Law = requires(const L& law) {
     { law.density } -> std::convertible_to<double>;
-} && (requires(const L& law) {
-    { law.wave_speed() } -> std::convertible_to<double>;
-} || requires(const L& law) {
-    { law.wave_speed(1) } -> std::convertible_to<double>;
-});
+}
+&&(
+    requires(const L& law) {
+        { law.wave_speed() } -> std::convertible_to<double>;
+    } ||
+    requires(const L& law) {
+        { law.wave_speed(1) } -> std::convertible_to<double>;
+    });
 
 namespace detail {
 
 template <class L> void check_law(const L& law) {
-    static_assert(requires { law.density; }, "tamis: the law has no density; give it a member `double density`");
-    static_assert(requires { law.wave_speed(); } || requires { law.wave_speed(1); },
-                  "tamis: the law has no wave speed, from which time steps are chosen; give it a member function "
-                  "`double wave_speed() const`");
+    static_assert(
+        requires { law.density; }, "tamis: the law has no density; give it a member `double density`");
+    static_assert(
+        requires { law.wave_speed(); } || requires { law.wave_speed(1); },
+        "tamis: the law has no wave speed, from which time steps are chosen; give it a member function "
+        "`double wave_speed() const`");
     if constexpr (requires { law.check(); }) law.check();
     if constexpr (requires { law.density; }) {
         if (!(static_cast<double>(law.density) > 0))
@@ -40,9 +46,9 @@ template <class L> void check_law(const L& law) {
 }
 
 /// Puts a particle at a point of the grid: its slot and lane.
-template <class C, class Body>
-void add_particle(Body& body, const typename C::shape& functions, const point<C::dim, typename C::real>& where,
-                  const typename C::real& volume, const typename C::real& density) {
+template <class C, class Body> void add_particle(Body& body, const typename C::shape& functions,
+                                                 const point<C::dim, typename C::real>& where,
+                                                 const typename C::real& volume, const typename C::real& density) {
     using real = typename C::real;
     using slot = typename Body::store_type::slot;
     constexpr int D = C::dim, W = C::S::width;

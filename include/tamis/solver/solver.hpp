@@ -11,8 +11,8 @@
 
 namespace tamis {
 
-/// One composed step. Policies come in any order after the grid; those left out take their defaults (quadratic_spline, flip,
-/// usl_minus, unbounded, unloaded, moving, serial, native_lanes, leaving_stops).
+/// One composed step. Policies come in any order after the grid; those left out take their defaults (quadratic_spline,
+/// flip, usl_minus, unbounded, unloaded, moving, serial, native_lanes, leaving_stops).
 ///
 ///     solver mpm{uniform_grid{{0.}, {1.}, 0.02}, linear{}, fmpm<2>{}, usl_minus{}, ends};
 ///     auto bar = mpm.make_body(law, everywhere, per_cell{2});
@@ -25,8 +25,8 @@ template <class Grid, class... Policies> class solver {
     using real = typename C::real;
     using composition_type = C;
     static constexpr int dim = C::dim, width = S::width;
-    template <class L, class... Extra>
-    using body_for = body<S, typename C::shape, L, merge<typename C::step_fields, on_particles_t<L>, fields<Extra...>>>;
+    template <class L, class... Extra> using body_for =
+        body<S, typename C::shape, L, merge<typename C::step_fields, on_particles_t<L>, fields<Extra...>>>;
 
     explicit solver(const Grid& grid, const Policies&... policies)
         : solver(grid, std::tuple<Policies...>(policies...), 0) {}
@@ -57,8 +57,8 @@ template <class Grid, class... Policies> class solver {
     const typename C::load& load() const { return load_; }
     const auto& lattice() const { return lattice_; }
 
-    /// A body of a law: particles in every cell where region(place) is true. Fields named in `fields<...>{}` are stored and
-    /// kept besides those the policies ask for. Throws `error` if there are none, or if a parameter makes no sense.
+    /// A body of a law: particles in every cell where region(place) is true. Fields named in `fields<...>{}` are stored
+    /// and kept besides those the policies ask for. Throws `error` if there are none, or if a parameter makes no sense.
     template <class L, class Region, class... Extra>
     auto make_body(const L& law, const Region& region, per_cell count, fields<Extra...> = {}) const {
         if (count.count < 1)
@@ -72,9 +72,8 @@ template <class Grid, class... Policies> class solver {
         return make_body_at(law, points, volume, fields<Extra...>{});
     }
     /// A body with a particle of the given volume at each point.
-    template <class L, class... Extra>
-    auto make_body_at(const L& law, const std::vector<point<dim, real>>& points, const real& volume,
-                      fields<Extra...> = {}) const {
+    template <class L, class... Extra> auto make_body_at(const L& law, const std::vector<point<dim, real>>& points,
+                                                         const real& volume, fields<Extra...> = {}) const {
         detail::check_law(law);
         if (points.empty()) throw error("make_body: the body has no particle; give at least one point");
         if (!(volume > real(0)))
@@ -87,8 +86,9 @@ template <class Grid, class... Policies> class solver {
         return b;
     }
 
-    /// One step of dt (s) for the bodies, which move in one velocity field. Throws `error` if a particle is not a number, or
-    /// leaves the grid where that is not allowed; the bodies are then as they were found, good for inspection only.
+    /// One step of dt (s) for the bodies, which move in one velocity field. Throws `error` if a particle is not a
+    /// number, or leaves the grid where that is not allowed; the bodies are then as they were found, good for
+    /// inspection only.
     template <class... Body> void step(std::tuple<Body&...> all, const real& dt) {
         step(all, dt, time_ + as_double(dt));
     }
@@ -96,8 +96,7 @@ template <class Grid, class... Policies> class solver {
     template <class... Body> void step(std::tuple<Body&...> all, const real& dt, double end) {
         using namespace symbols;
         using order = typename C::order;
-        if (!(dt > real(0)))
-            throw error(detail::sentence("step: the time step is ", dt, "; give a positive number"));
+        if (!(dt > real(0))) throw error(detail::sentence("step: the time step is ", dt, "; give a positive number"));
         prepare(all);
         auto& nodes = sweeps_.nodes();
         const real inverse_dt = real(1) / dt;
@@ -236,10 +235,11 @@ template <class Grid, class... Policies> class solver {
         long k = 0;
         for (const auto p : b) {
             const auto bad = [&](const auto&... why) {
-                return error(detail::sentence("particle ", k, " at (", p[x].transpose(), "), step ", steps_, ", t = ", time_, ": ",
-                                              why...));
+                return error(detail::sentence("particle ", k, " at (", p[x].transpose(), "), step ", steps_,
+                                              ", t = ", time_, ": ", why...));
             };
-            if (!(p[m] > real(0)) || p[m] - p[m] != real(0)) throw bad("its mass is ", p[m], "; give a positive density");
+            if (!(p[m] > real(0)) || p[m] - p[m] != real(0))
+                throw bad("its mass is ", p[m], "; give a positive density");
             if (!(p[V] > real(0))) throw bad("its volume is ", p[V], "; give a positive number");
             for (int d = 0; d < dim; ++d)
                 if (p[v][d] - p[v][d] != real(0)) throw bad("its velocity is not finite; check the initial velocity");
@@ -336,10 +336,9 @@ template <class Grid, class... Policies> class solver {
             using C_nodes = typename C::node_fields;
             constexpr bool keep = stores<C_nodes, field::start_velocity>;
             constexpr bool make_inverse = FromMomentum && C::moves;
-            using list = detail::merge_as_is<
-                std::conditional_t<make_inverse, fields<field::mass>, fields<>>,
-                std::conditional_t<FromMomentum, fields<field::momentum>, fields<>>,
-                std::conditional_t<keep, fields<field::start_velocity>, fields<>>>;
+            using list = detail::merge_as_is<std::conditional_t<make_inverse, fields<field::mass>, fields<>>,
+                                             std::conditional_t<FromMomentum, fields<field::momentum>, fields<>>,
+                                             std::conditional_t<keep, fields<field::start_velocity>, fields<>>>;
             const T h = dt();
             nodes(accelerated(list{}), [h](auto i) TAMIS_INLINE_LAMBDA {
                 if constexpr (make_inverse) i[im] = inverse(i[m]);
@@ -349,11 +348,13 @@ template <class Grid, class... Policies> class solver {
                 i[v] += h * i[a];
             });
         }
-        /// Read-only and written lists for `accelerate`: mass, momentum and force are read, what takes their columns is written.
+        /// Read-only and written lists for `accelerate`: mass, momentum and force are read, what takes their columns is
+        /// written.
         template <class... F> static auto accelerated(fields<F...>) {
-            return fields<std::conditional_t<std::same_as<F, field::start_velocity>, F, const F>..., const field::force,
-                          std::conditional_t<contains<fields<F...>, field::mass>, field::inverse_mass, const field::inverse_mass>,
-                          field::acceleration, field::velocity>{};
+            return fields<
+                std::conditional_t<std::same_as<F, field::start_velocity>, F, const F>..., const field::force,
+                std::conditional_t<contains<fields<F...>, field::mass>, field::inverse_mass, const field::inverse_mass>,
+                field::acceleration, field::velocity>{};
         }
 
         /// Gradient of the velocity in G strains the particles over `part` (s), which then move if they are to.
@@ -362,7 +363,8 @@ template <class Grid, class... Policies> class solver {
             each_body([&](auto& b) {
                 const auto& law = b.law;
                 mpm.sweeps_.template gather_each<fields<>, G>(
-                    b, [&law, h](auto& slot, std::uint32_t occupied, const auto& at, const auto& g) TAMIS_INLINE_LAMBDA {
+                    b,
+                    [&law, h](auto& slot, std::uint32_t occupied, const auto& at, const auto& g) TAMIS_INLINE_LAMBDA {
                         detail::strain_slot<S>(law, slot, occupied, at, g.gradient, h);
                         if constexpr (Move)
                             slot.template get<field::position>() +=
@@ -383,22 +385,23 @@ template <class Grid, class... Policies> class solver {
                 [[maybe_unused]] const auto& law = b.law;
                 using slot_type = typename std::remove_reference_t<decltype(b)>::store_type::slot;
                 mpm.sweeps_.template gather_each<typename C::gathers, gradient>(
-                    b, [&](auto& slot, [[maybe_unused]] std::uint32_t occupied, const auto& at, const auto& g) TAMIS_INLINE_LAMBDA {
-                        using near_type = detail::gathered_nodes<S, decltype(g.sums), typename C::gathers>;
-                        const near_type near{g.sums};
-                        const typename S::vector before = slot.template get<field::velocity>();
-                        const typename S::vector after =
-                            update.velocity(detail::slot_row<S, slot_type, shown_to_update>{slot, at}, near, h);
-                        slot.template get<field::velocity>() = after;
-                        if constexpr (strains) detail::strain_slot<S>(law, slot, occupied, at, g.gradient, part);
-                        if constexpr (C::moves) {
-                            const typename S::vector moved = update.displacement(before, after, near, h);
-                            if constexpr (C::remaps)
-                                slot.template get<field::displacement>() = moved;
-                            else
-                                slot.template get<field::position>() += T(at.inverse_spacing) * moved;
-                        }
-                    });
+                    b, [&](auto& slot, [[maybe_unused]] std::uint32_t occupied, const auto& at, const auto& g)
+                           TAMIS_INLINE_LAMBDA {
+                               using near_type = detail::gathered_nodes<S, decltype(g.sums), typename C::gathers>;
+                               const near_type near{g.sums};
+                               const typename S::vector before = slot.template get<field::velocity>();
+                               const typename S::vector after =
+                                   update.velocity(detail::slot_row<S, slot_type, shown_to_update>{slot, at}, near, h);
+                               slot.template get<field::velocity>() = after;
+                               if constexpr (strains) detail::strain_slot<S>(law, slot, occupied, at, g.gradient, part);
+                               if constexpr (C::moves) {
+                                   const typename S::vector moved = update.displacement(before, after, near, h);
+                                   if constexpr (C::remaps)
+                                       slot.template get<field::displacement>() = moved;
+                                   else
+                                       slot.template get<field::position>() += T(at.inverse_spacing) * moved;
+                               }
+                           });
             });
         }
     };
@@ -421,12 +424,14 @@ template <class Grid, class... Policies> class solver {
             speed[d] = letter.value[pv + d];
         }
         const auto who = [&] {
-            return detail::sentence("particle ", letter.origin, " (place in storage), step ", steps_, ", t = ", time_, ": ");
+            return detail::sentence("particle ", letter.origin, " (place in storage), step ", steps_, ", t = ", time_,
+                                    ": ");
         };
         if (!finite)
-            throw error(who() + detail::sentence(
-                "its place is not a number (velocity ", speed.transpose(), "). Likely causes: a time step above the stability "
-                "limit (dt = ", dt, "), or a law that returned one"));
+            throw error(who() + detail::sentence("its place is not a number (velocity ", speed.transpose(),
+                                                 "). Likely causes: a time step above the stability "
+                                                 "limit (dt = ",
+                                                 dt, "), or a law that returned one"));
         using choice = leaving_stops::choice;
         constexpr choice what = C::leaving::when_leaving;
         if constexpr (what == choice::remove) return false;
@@ -442,11 +447,14 @@ template <class Grid, class... Policies> class solver {
             }
         }
         const double cells = as_double(speed.norm()) * dt / as_double(grid().spacing());
-        throw error(who() + detail::sentence(
-            "it left the grid, to (", where.transpose(), ") with velocity (", speed.transpose(), "). Likely cause: ",
-            cells > 0.5 ? "a time step above the stability limit, for it moves more than half a cell a step"
-                        : "no condition keeps the body from that wall; enlarge the grid, hold the wall, or choose "
-                          "leaving_clamps or leaving_removes"));
+        throw error(who() +
+                    detail::sentence(
+                        "it left the grid, to (", where.transpose(), ") with velocity (", speed.transpose(),
+                        "). Likely cause: ",
+                        cells > 0.5
+                            ? "a time step above the stability limit, for it moves more than half a cell a step"
+                            : "no condition keeps the body from that wall; enlarge the grid, hold the wall, or choose "
+                              "leaving_clamps or leaving_removes"));
     }
 };
 

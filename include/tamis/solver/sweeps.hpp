@@ -27,7 +27,7 @@ template <class C> struct tile_weights {
     template <class Slot> TAMIS_INLINE void operator()(stencil<S, shape::support>& st, const Slot& slot) const {
         if constexpr (C::moves) {
             st.set(functions, slot.template get<field::position>(), inverse_spacing);
-            if constexpr (ghosts<shape> > 0)
+            if constexpr (ghosts < shape >> 0)
                 if (at_wall) st.fold(walls);
         } else
             held_weights<shape>::template recall<S>(st, slot.template get<held_weights<shape>>(), inverse_spacing);
@@ -61,7 +61,8 @@ template <class C> class sweeps {
         });
     }
 
-    /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = make(slot, stencil, frame).
+    /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = make(slot,
+    /// stencil, frame).
     template <class Shown, class ToNodes, class Body, class Make, class Kernel>
     void scatter(Body& body, Make make, Kernel kernel) {
         auto& store = body.store();
@@ -74,8 +75,8 @@ template <class C> class sweeps {
                     tile& t = store.tiles[j];
                     if (mail) store.deliver(t);
                     const tile_weights<C> weigh(functions_, lattice_, t);
-                    scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh,
-                                                 make, kernel);
+                    scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at),
+                                                 weigh, make, kernel);
                 });
             });
         if (mail) store.mail_delivered();
@@ -85,13 +86,14 @@ template <class C> class sweeps {
     template <class Body> void spread_increment(Body& body) {
         using namespace symbols;
         using list = fields<field::increment>;
-        scatter_gathered<fields<const field::mass>, list, fields<field::image>>(body, [](auto p, auto near, const auto& dv_p) {
-            for (const auto& [i, w, dw] : near) i[Sdv] += w * p[m] * dv_p.sums.template get<field::increment>();
-        });
+        scatter_gathered<fields<const field::mass>, list, fields<field::image>>(
+            body, [](auto p, auto near, const auto& dv_p) {
+                for (const auto& [i, w, dw] : near) i[Sdv] += w * p[m] * dv_p.sums.template get<field::increment>();
+            });
     }
 
-    /// Gathers for every slot of a body: act(slot, occupied, frame, gathered). `act` returns true if a particle may have left its
-    /// cell.
+    /// Gathers for every slot of a body: act(slot, occupied, frame, gathered). `act` returns true if a particle may
+    /// have left its cell.
     template <class Sums, class Gradient, class Body, class Act> void gather_each(Body& body, Act act) {
         auto& store = body.store();
         run_.for_each(store.slabs(), [&](std::size_t k) {
@@ -147,8 +149,8 @@ template <class C> class sweeps {
                         gather<no_field>(lattice_, nodes_, st, t.node, g);
                         return g;
                     };
-                    scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh,
-                                                 make, kernel);
+                    scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at),
+                                                 weigh, make, kernel);
                 });
             });
     }
@@ -177,18 +179,20 @@ template <class C> class sweeps {
         auto* component = reinterpret_cast<T*>(&slot);
         for (int c = 0; c < Slot::components; ++c) component[c] = select(keep, component[c], zero);
     }
+    static bool both(bool a, bool b) { return a && b; }
+    template <class Mask> TAMIS_INLINE static Mask both(const Mask& a, const Mask& b) { return a & b; }
     /// True also for NaN.
     template <class Slot> TAMIS_INLINE static bool may_have_left(const Slot& slot, const tile_weights<C>& weigh) {
         const auto& r = slot.template get<field::position>();
         const T zero(real(0)), one(real(1));
-        auto stays = (r[0] >= zero) & (r[0] < one);
-        unroll<D - 1>([&](auto d) TAMIS_INLINE_LAMBDA { stays = stays & (r[d + 1] >= zero) & (r[d + 1] < one); });
+        auto stays = both(r[0] >= zero, r[0] < one);
+        unroll<D - 1>([&](auto d) TAMIS_INLINE_LAMBDA { stays = both(stays, both(r[d + 1] >= zero, r[d + 1] < one)); });
         if constexpr (shape::shift > 0)
             if (weigh.at_wall)
                 unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA {
                     const T shift = constant<T>(shape::shift);
-                    stays = stays & (r[d] >= weigh.walls.low[d] * shift) &
-                            (r[d] <= one - weigh.walls.high[d] * (one - shift));
+                    stays = both(stays, both(r[d] >= weigh.walls.low[d] * shift,
+                                             r[d] <= one - weigh.walls.high[d] * (one - shift)));
                 });
         return lane<T>::any(!stays);
     }
@@ -215,8 +219,8 @@ template <class C> class sweeps {
                 if (cell != from) store.post(store.outboxes[slab], s, l, from, cell);
             }
     }
-    /// Brings a place into [0, 1) by going to a neighbouring cell; at the upper wall 1 stays. False if that is outside, or if the
-    /// place is not a number.
+    /// Brings a place into [0, 1) by going to a neighbouring cell; at the upper wall 1 stays. False if that is outside,
+    /// or if the place is not a number.
     static bool settle(real& r, int& cell, int bins) {
         if (!(r > real(-1000000) && r < real(1000000))) return false;
         int k = lane<real>::floor(r);

@@ -4,9 +4,9 @@
 
 namespace tamis {
 
-/// When particles are strained (numerics.md, section 5): the parts of the step before the forces and after the particles' update,
-/// whether the later part uses velocities extrapolated again from the new V, and whether forces, strains and conditions are
-/// all those of the step's start.
+/// When particles are strained (numerics.md, section 5): the parts of the step before the forces and after the
+/// particles' update, whether the later part uses velocities extrapolated again from the new V, and whether forces,
+/// strains and conditions are all those of the step's start.
 template <class O>
 concept StressOrder = requires {
     requires O::before + O::after == 1.0;
@@ -44,8 +44,8 @@ struct usavg_plus {
     static constexpr double before = 0.5, after = 0.5;
     static constexpr bool remap = true, explicit_euler = false;
 };
-/// ADMPM's order: forces from the stress of t, strain from the velocity of t, conditions one step late. Explicit Euler in both,
-/// so energy grows at every time step; offered to reproduce ADMPM, not for use.
+/// ADMPM's order: forces from the stress of t, strain from the velocity of t, conditions one step late. Explicit Euler
+/// in both, so energy grows at every time step; offered to reproduce ADMPM, not for use.
 struct euler {
     static constexpr std::string_view name = "euler";
     static constexpr double before = 0, after = 1;

@@ -5,7 +5,8 @@
 namespace tamis::detail {
 
 /// Places of a slot's particles, from what the composition stores of them.
-template <class S, class Shape, class Slot> TAMIS_INLINE typename S::vector places(const Slot& slot, const frame<S>& at) {
+template <class S, class Shape, class Slot>
+TAMIS_INLINE typename S::vector places(const Slot& slot, const frame<S>& at) {
     if constexpr (stores<typename Slot::list, field::position>)
         return position_reference<S>::place(slot.template get<field::position>(), at);
     else {

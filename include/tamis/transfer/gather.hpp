@@ -12,8 +12,8 @@ template <class S, class List> struct gathered {
 /// No gradient wanted.
 struct no_field {};
 
-/// Gathers at place `first` (that of lane 0's first node). Components outside, rows inside: few sums at once, so they fit
-/// in sixteen registers.
+/// Gathers at place `first` (that of lane 0's first node). Components outside, rows inside: few sums at once, so they
+/// fit in sixteen registers.
 template <class Gradient, class S, class Shape, class Nodes, class... F>
 TAMIS_INLINE void gather(const lattice<S, Shape>& lattice, const Nodes& nodes, const stencil<S, Shape::support>& st,
                          std::size_t first, gathered<S, fields<F...>>& to) {

@@ -10,15 +10,15 @@ inline constexpr int dynamic = -1;
 namespace detail {
 
 template <int K> struct term_count {
-    static_assert(K >= 1, "tamis: FMPM(k) and XPIC(k) need k >= 1; use fmpm<dynamic>{k} for a k known at run time, flip "
-                          "for no full mass matrix");
+    static_assert(K >= 1,
+                  "tamis: FMPM(k) and XPIC(k) need k >= 1; use fmpm<dynamic>{k} for a k known at run time, flip "
+                  "for no full mass matrix");
     static constexpr int terms() { return K; }
 };
 template <> class term_count<dynamic> {
   public:
     explicit term_count(int k) : terms_(k) {
-        if (k < 1)
-            throw error(sentence("FMPM(k) and XPIC(k): k is ", k, "; give k >= 1"));
+        if (k < 1) throw error(sentence("FMPM(k) and XPIC(k): k is ", k, "; give k >= 1"));
     }
     int terms() const { return terms_; }
 
@@ -26,9 +26,9 @@ template <> class term_count<dynamic> {
     int terms_;
 };
 
-/// Adds A^l dv, 0 < l < k, to `To`, with A = I - S+ S and S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist 2021). By
-/// increments: the sum with alternating binomials is the same in exact arithmetic, but loses k log10(2) digits.
-/// `felt`: do particles feel what conditions take from the increments?
+/// Adds A^l dv, 0 < l < k, to `To`, with A = I - S+ S and S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist
+/// 2021). By increments: the sum with alternating binomials is the same in exact arithmetic, but loses k log10(2)
+/// digits. `felt`: do particles feel what conditions take from the increments?
 template <class To, class Pass> void add_series(int terms, bool felt, Pass& pass) {
     using namespace symbols;
     for (int l = 1; l < terms; ++l) {

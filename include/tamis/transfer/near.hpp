@@ -29,16 +29,18 @@ template <class S, class Slot, class Shown> struct slot_row {
     Slot& all;
     const frame<S>& at;
     template <class F> TAMIS_INLINE decltype(auto) operator[](F) const {
-        static_assert(contains<Shown, F>, "tamis: a policy touches a field it did not declare; add it to the policy's "
-                                          "on_particles or on_nodes list");
+        static_assert(contains<Shown, F>,
+                      "tamis: a policy touches a field it did not declare; add it to the policy's "
+                      "on_particles or on_nodes list");
         if constexpr (std::same_as<F, field::position>) {
             if constexpr (writes<Shown, F>)
                 return position_reference<S>{all.template get<F>(), at};
             else
                 return position_reference<S>::place(all.template get<F>(), at);
         } else if constexpr (std::is_base_of_v<symmetric_field, F>) {
-            static_assert(!writes<Shown, F>, "tamis: the stress is written through the law's return value; declare "
-                                             "symmetric fields as const");
+            static_assert(!writes<Shown, F>,
+                          "tamis: the stress is written through the law's return value; declare "
+                          "symmetric fields as const");
             return unpack<S>(all.template get<F>());
         } else if constexpr (writes<Shown, F>)
             return (all.template get<F>());
@@ -63,8 +65,9 @@ template <class S, class Values, class Shown> struct one_node {
 template <class S, class Sums, class Shown> struct gathered_nodes {
     const Sums& sums;
     template <class F> TAMIS_INLINE const auto& sum(F) const {
-        static_assert(contains<Shown, F>, "tamis: a policy reads a node field it did not declare; add it to the "
-                                          "policy's on_nodes list");
+        static_assert(contains<Shown, F>,
+                      "tamis: a policy reads a node field it did not declare; add it to the "
+                      "policy's on_nodes list");
         return sums.template get<F>();
     }
 };

@@ -7,7 +7,9 @@ namespace tamis {
 
 /// A law that asks to be called particle by particle, in plain numbers: `static constexpr bool lane_by_lane = true;`.
 template <class Law>
-concept LaneByLane = requires { requires Law::lane_by_lane; };
+concept LaneByLane = requires {
+    requires Law::lane_by_lane;
+};
 
 namespace detail {
 
@@ -40,7 +42,8 @@ TAMIS_NOINLINE void stress_lane_by_lane(const Law& law, Slot& slot, std::uint32_
     }
 }
 
-/// Strains the particles of a slot by the velocity gradient over dt: the kinematic fields somebody asked for, then the law.
+/// Strains the particles of a slot by the velocity gradient over dt: the kinematic fields somebody asked for, then the
+/// law.
 template <class S, class Law, class Slot>
 TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied, const frame<S>& at,
                               const typename S::tensor& gradient, const typename S::scalar& dt) {
@@ -49,7 +52,8 @@ TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied
     using list = typename Slot::list;
     if constexpr (stores<list, field::density>) slot.template get<field::density>() /= T(1) + dt * gradient.trace();
     if constexpr (stores<list, field::strain>) {
-        const tensor total = unpack<S>(slot.template get<field::strain>()) + (gradient + gradient.transpose()) * (dt / 2);
+        const tensor total =
+            unpack<S>(slot.template get<field::strain>()) + (gradient + gradient.transpose()) * (dt / 2);
         pack<S>(slot.template get<field::strain>(), total);
     }
     if constexpr (stores<list, field::deformation>) {

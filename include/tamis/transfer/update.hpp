@@ -4,10 +4,10 @@
 
 namespace tamis {
 
-// A particle update (numerics.md, section 4) is two formulas. `velocity(p, near, dt)` gives V', `displacement(V, V', near, dt)`
-// gives X' - X. `on_nodes` are the node fields the first reads, `to_move` those the second reads besides: particles that are
-// held never gather them. `start_share` is the part of what the conditions do to the momentum of the step's start that
-// reaches the particles.
+// A particle update (numerics.md, section 4) is two formulas. `velocity(p, near, dt)` gives V', `displacement(V, V',
+// near, dt)` gives X' - X. `on_nodes` are the node fields the first reads, `to_move` those the second reads besides:
+// particles that are held never gather them. `start_share` is the part of what the conditions do to the momentum of the
+// step's start that reaches the particles.
 
 /// PIC: V' = S v+, X' = X + S v+ dt.
 struct set_velocity {
@@ -15,9 +15,7 @@ struct set_velocity {
     using to_move = fields<const field::velocity>;
     static constexpr double start_share() { return 1; }
     auto velocity(auto, auto near, auto) const { return near.sum(symbols::v).eval(); }
-    auto displacement(const auto&, const auto&, auto near, auto dt) const {
-        return (dt * near.sum(symbols::v)).eval();
-    }
+    auto displacement(const auto&, const auto&, auto near, auto dt) const { return (dt * near.sum(symbols::v)).eval(); }
 };
 
 /// FMPM: V' = S v+(k), X' = X + (V + V') dt/2.
@@ -40,9 +38,7 @@ struct add_acceleration {
         using namespace symbols;
         return (p[v] + dt * near.sum(a)).eval();
     }
-    auto displacement(const auto&, const auto&, auto near, auto dt) const {
-        return (dt * near.sum(symbols::v)).eval();
-    }
+    auto displacement(const auto&, const auto&, auto near, auto dt) const { return (dt * near.sum(symbols::v)).eval(); }
 };
 
 /// FLIP(psi): as FLIP, X' = X + (S v+ - psi a dt/2) dt. psi = 1 is FMPM(0) and XPIC(0).
@@ -73,9 +69,7 @@ struct blend_velocity {
         using T = decltype(dt);
         return ((p[v] + dt * near.sum(a)) * constant<T>(alpha) + near.sum(v) * constant<T>(1 - alpha)).eval();
     }
-    auto displacement(const auto&, const auto&, auto near, auto dt) const {
-        return (dt * near.sum(symbols::v)).eval();
-    }
+    auto displacement(const auto&, const auto&, auto near, auto dt) const { return (dt * near.sum(symbols::v)).eval(); }
 };
 
 /// As blend_velocity, but X' = X + V' dt, the rule of computer graphics.
