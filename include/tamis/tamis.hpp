@@ -18,5 +18,9 @@
 #include <tamis/solver/initial.hpp>
 #include <tamis/solver/integrate.hpp>
 #include <tamis/observe/atomic_file.hpp>
+#include <tamis/observe/csv.hpp>
+#include <tamis/observe/dump.hpp>
 #include <tamis/observe/measure.hpp>
 #include <tamis/observe/progress.hpp>
+#include <tamis/observe/record.hpp>
+#include <tamis/observe/watch.hpp>

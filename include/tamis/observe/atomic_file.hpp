@@ -16,8 +16,10 @@ namespace tamis {
 class atomic_file {
   public:
     explicit atomic_file(std::filesystem::path path) : path_(std::move(path)), draft_(path_.string() + ".part") {
+        std::error_code failed;
+        if (std::filesystem::is_directory(path_, failed))
+            throw error(detail::sentence("cannot write ", path_.string(), ": it is a folder; give the name of a file"));
         if (path_.has_parent_path()) {
-            std::error_code failed;
             std::filesystem::create_directories(path_.parent_path(), failed);
         }
         out_.open(draft_);
@@ -34,20 +36,26 @@ class atomic_file {
     atomic_file& operator=(atomic_file&&) = delete;
     ~atomic_file() {
         if (!open_) return;
-        out_.close();
+        if (out_.is_open()) out_.close();
         std::error_code ignored;
         std::filesystem::remove(draft_, ignored);
     }
 
+    const std::filesystem::path& path() const { return path_; }
     std::ostream& out() { return out_; }
+    /// Ends the text; the file waits for its commit. Many may wait, few can be open.
+    void close() {
+        if (out_.is_open()) out_.close();
+        if (out_) return;
+        open_ = false;
+        std::error_code ignored;
+        std::filesystem::remove(draft_, ignored);
+        throw error(detail::sentence("writing ", path_.string(), " failed; is the disk full?"));
+    }
     void commit() {
-        out_.close();
+        close();
         open_ = false;
         std::error_code failed;
-        if (!out_) {
-            std::filesystem::remove(draft_, failed);
-            throw error(detail::sentence("writing ", path_.string(), " failed; is the disk full?"));
-        }
         std::filesystem::rename(draft_, path_, failed);
         if (failed) throw error(detail::sentence("cannot put ", path_.string(), " in place: ", failed.message()));
     }

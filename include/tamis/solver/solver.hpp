@@ -92,10 +92,18 @@ template <class Grid, class... Policies> class solver {
     template <class... Body> void step(std::tuple<Body&...> all, const real& dt) {
         step(all, dt, time_ + as_double(dt));
     }
+    template <class NotBodies> void step(NotBodies&&, const real&) {
+        static_assert(sizeof(NotBodies) == 0,
+                      "tamis: step is called with the bodies in one bundle: "
+                      "mpm.step(bodies(a, b), dt)");
+    }
     /// The same, for a step that ends at the given time: `integrate` says it without the round-off of adding up.
     template <class... Body> void step(std::tuple<Body&...> all, const real& dt, double end) {
         using namespace symbols;
         using order = typename C::order;
+        static_assert((serves<Body> && ...),
+                      "tamis: a body was made by a solver of other policies, and lacks fields that "
+                      "this one steps; make it with this solver's make_body");
         if (!(dt > real(0))) throw error(detail::sentence("step: the time step is ", dt, "; give a positive number"));
         prepare(all);
         auto& nodes = sweeps_.nodes();
@@ -150,6 +158,8 @@ template <class Grid, class... Policies> class solver {
   private:
     using sweeps_type = detail::sweeps<C>;
     using lattice_type = typename sweeps_type::lattice_type;
+    template <class Body> static constexpr bool serves = std::same_as<typename Body::lattice_type, lattice_type>&&
+        std::same_as<merge<typename Body::field_list, typename C::step_fields>, typename Body::field_list>;
     typename C::shape shape_;
     typename C::transfer transfer_;
     typename C::load load_;

@@ -33,10 +33,14 @@ TAMIS_NOINLINE void stress_lane_by_lane(const Law& law, Slot& slot, std::uint32_
         for (int c = 0; c < Slot::components; ++c) to[c] = lanes_of_slot[c * W + l];
         typename one_space::tensor g;
         for (int c = 0; c < D * D; ++c) g.data()[c] = gradients[c][l];
+        using row = slot_row<one_space, one_slot, on_particles_t<Law>>;
+        static_assert(
+            requires(row r) { law.stress(r, g, dts[l]); },
+            "tamis: the law has no stress(p, grad_v, dt) that can be called; give it `template <class Tensor> "
+            "Tensor stress(auto p, const Tensor& grad_v, auto dt) const`, which returns the new Kirchhoff stress");
         frame<one_space> one_frame{at.spacing, at.inverse_spacing, at.corner};
         one_frame.corner[0] += at.spacing * real(l);
-        const typename one_space::tensor tau =
-            law.stress(slot_row<one_space, one_slot, on_particles_t<Law>>{p, one_frame}, g, dts[l]);
+        const typename one_space::tensor tau = law.stress(row{p, one_frame}, g, dts[l]);
         pack<one_space>(p.template get<field::stress>(), tau);
         for (int c = 0; c < Slot::components; ++c) lanes_of_slot[c * W + l] = to[c];
     }

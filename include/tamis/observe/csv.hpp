@@ -1,0 +1,155 @@
+#pragma once
+#include <tamis/observe/atomic_file.hpp>
+#include <tamis/observe/record.hpp>
+#include <tamis/solver/integrate.hpp>
+
+#include <cctype>
+#include <cstdio>
+#include <set>
+
+namespace tamis {
+
+namespace detail {
+
+inline constexpr const char* axis_names[] = {"x", "y", "z"};
+
+/// Column names of a vector and of a symmetric tensor: the bare name in 1D, else with _x, _y, _z and _xx, _yy, ..., _xy, ...
+inline std::string vector_columns(const std::string& name, int dim) {
+    if (dim == 1) return name;
+    std::string all;
+    for (int d = 0; d < dim; ++d) all += (d ? "," : "") + name + "_" + axis_names[d];
+    return all;
+}
+inline std::string symmetric_columns(const std::string& name, int dim) {
+    if (dim == 1) return name;
+    std::string all;
+    for (int d = 0; d < dim; ++d) all += (d ? "," : "") + name + "_" + axis_names[d] + axis_names[d];
+    for (int d = 0; d < dim; ++d)
+        for (int e = d + 1; e < dim; ++e) all += "," + name + "_" + axis_names[d] + axis_names[e];
+    return all;
+}
+template <class Vector> void put_vector(std::ostream& out, const Vector& value) {
+    for (int d = 0; d < value.rows(); ++d) out << ',' << value[d];
+}
+template <class Tensor> void put_symmetric(std::ostream& out, const Tensor& value) {
+    for (int d = 0; d < value.rows(); ++d) out << ',' << value(d, d);
+    for (int d = 0; d < value.rows(); ++d)
+        for (int e = d + 1; e < value.rows(); ++e) out << ',' << value(d, e);
+}
+
+/// Is this the name of a file that csv_output writes?
+inline bool is_csv_output(const std::string& name) {
+    const std::size_t begin = name.rfind("particles_", 0) == 0 ? 10 : name.rfind("nodes_", 0) == 0 ? 6 : 0;
+    if (begin == 0 || name.size() < begin + 5 || name.substr(name.size() - 4) != ".csv") return false;
+    for (std::size_t k = begin; k < name.size() - 4; ++k)
+        if (!std::isdigit(static_cast<unsigned char>(name[k]))) return false;
+    return true;
+}
+
+}  // namespace detail
+
+/// An observer that writes two tables each time it is called, `particles_<step>.csv` and `nodes_<step>.csv`: time, position,
+/// density, velocity, stress and strain, of particles also the mass, in full precision under a line of column names. Node values are
+/// mass-weighted means over the particles in a node's reach; nodes without mass are left out. With several bodies a column `body`
+/// (0, 1, ...) comes first. Density and strain are left out where neither a stored field nor the law tells them.
+///
+///     csv_output tables(mpm, bodies(bar), "out");
+///     integrate(mpm, bodies(bar), {0, 2}, courant{0.1}, every(100, std::ref(tables)));
+///     tables.commit();
+///
+/// The files of a run appear together at `commit`, in place of those of an earlier run in that folder; without it there are none.
+/// Throws `error` where they cannot be written. Solver and bodies must outlive it.
+template <class Lattice, class Shape, class... Body> class csv_output {
+  public:
+    template <class Solver>
+    csv_output(const Solver& mpm, std::tuple<Body&...> all, std::filesystem::path folder)
+        : lattice_(mpm.lattice()), functions_(mpm.functions()), all_(all), folder_(std::move(folder)) {
+        std::error_code failed;
+        made_folder_ = std::filesystem::create_directories(folder_, failed);
+        // A folder that may not be written to is told before the run, not after it.
+        atomic_file probe(folder_ / "particles_probe");
+    }
+    csv_output(const csv_output&) = delete;
+    csv_output& operator=(const csv_output&) = delete;
+    ~csv_output() {
+        drafts_.clear();
+        std::error_code ignored;
+        if (made_folder_ && names_.empty()) std::filesystem::remove(folder_, ignored);
+    }
+
+    void operator()(const progress_state& now) {
+        write("particles", now, [&](std::ostream& out) { put_particles(out, now.time); });
+        write("nodes", now, [&](std::ostream& out) { put_nodes(out, now.time); });
+    }
+    /// Puts the files in place.
+    void commit() {
+        for (atomic_file& draft : drafts_) draft.commit();
+        for (atomic_file& draft : drafts_) names_.insert(draft.path().filename().string());
+        drafts_.clear();
+        std::vector<std::filesystem::path> stale;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+            const std::string name = entry.path().filename().string();
+            if (detail::is_csv_output(name) && names_.count(name) == 0) stale.push_back(entry.path());
+        }
+        for (const auto& path : stale) std::filesystem::remove(path);
+    }
+
+  private:
+    static constexpr int dim = Lattice::D;
+    static constexpr bool has_density = (tells_density<Body> && ...), has_strain = (tells_strain<Body> && ...);
+    const Lattice& lattice_;
+    const Shape& functions_;
+    std::tuple<Body&...> all_;
+    std::filesystem::path folder_;
+    bool made_folder_ = false;
+    std::vector<atomic_file> drafts_;
+    std::set<std::string> names_;
+
+    template <class Put> void write(const char* what, const progress_state& now, Put put) {
+        char name[64];
+        std::snprintf(name, sizeof name, "%s_%09ld.csv", what, now.step);
+        atomic_file& draft = drafts_.emplace_back(folder_ / name);
+        put(draft.out());
+        draft.close();
+    }
+    static std::string columns() {
+        return "time," + detail::vector_columns("position", dim) + (has_density ? ",density," : ",") +
+               detail::vector_columns("velocity", dim) + "," + detail::symmetric_columns("stress", dim) +
+               (has_strain ? "," + detail::symmetric_columns("strain", dim) : std::string());
+    }
+    template <class Record> static void put_row(std::ostream& out, double time, const Record& r) {
+        out << time;
+        detail::put_vector(out, r.position);
+        if constexpr (has_density) out << ',' << r.density;
+        detail::put_vector(out, r.velocity);
+        detail::put_symmetric(out, r.stress);
+        if constexpr (has_strain) detail::put_symmetric(out, r.strain);
+    }
+    void put_particles(std::ostream& out, double time) const {
+        constexpr bool several = sizeof...(Body) > 1;
+        out << (several ? "body," : "") << columns() << ",mass\n";
+        int k = 0;
+        const auto put = [&](const auto& body) {
+            for (const auto p : body) {
+                const auto r = record_of(body, p);
+                if (several) out << k << ',';
+                put_row(out, time, r);
+                out << ',' << r.mass << '\n';
+            }
+            ++k;
+        };
+        std::apply([&](const auto&... body) { (put(body), ...); }, all_);
+    }
+    void put_nodes(std::ostream& out, double time) const {
+        out << columns() << '\n';
+        for (const auto& node : node_records(lattice_, functions_, all_)) {
+            put_row(out, time, node.mean);
+            out << '\n';
+        }
+    }
+};
+template <class Solver, class... Body>
+csv_output(const Solver& mpm, std::tuple<Body&...>, std::filesystem::path)
+    -> csv_output<std::remove_cvref_t<decltype(mpm.lattice())>, std::remove_cvref_t<decltype(mpm.functions())>, Body...>;
+
+}  // namespace tamis
