@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace tamis {
 
@@ -66,7 +67,15 @@ template <int Dim, class Real = double> class uniform_grid {
     Real spacing_{};
 };
 
-template <class Real, std::size_t N> uniform_grid(const Real (&)[N], const Real (&)[N], Real)
-    -> uniform_grid<static_cast<int>(N), Real>;
+namespace detail {
+
+/// The number type of a grid given by plain numbers: whole numbers are taken as double.
+template <class A, class B, class H> using grid_real =
+    std::conditional_t<std::is_integral_v<std::common_type_t<A, B, H>>, double, std::common_type_t<A, B, H>>;
+
+}  // namespace detail
+
+template <class A, class B, class H, std::size_t N> uniform_grid(const A (&)[N], const B (&)[N], H)
+    -> uniform_grid<static_cast<int>(N), detail::grid_real<A, B, H>>;
 
 }  // namespace tamis

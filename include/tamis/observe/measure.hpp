@@ -35,9 +35,15 @@ template <class Body> auto elastic_energy(const Body& body) {
 }
 /// Mass-weighted mean of a field over a body.
 template <class Body, class F> auto mean(const Body& body, F field) {
-    using value = std::remove_cvref_t<decltype((
-        sum_over(body, [&](const auto& p) { return (p[field] * p[symbols::m]).eval(); })))>;
-    return value(sum_over(body, [&](const auto& p) { return value(p[field] * p[symbols::m]); }) / total_mass(body));
+    using number = typename Body::real;
+    using seen = std::remove_cvref_t<decltype((*body.begin())[field])>;
+    const number mass = total_mass(body);
+    if constexpr (std::same_as<seen, number>)
+        return number(sum_over(body, [&](const auto& p) { return p[field] * p[symbols::m]; }) / mass);
+    else {
+        using value = typename seen::PlainObject;
+        return value(sum_over(body, [&](const auto& p) -> value { return p[field] * p[symbols::m]; }) / mass);
+    }
 }
 /// Largest particle speed of a body (m/s).
 template <class Body> auto largest_speed(const Body& body) {
