@@ -9,12 +9,12 @@
 namespace tamis {
 
 /// A condition on the velocity of nodes. `holds(at)`: does it apply to the node there? `velocity(at, t)`: the velocity
-/// it gives, asked only where it holds. With `normal(at)`, a unit vector, only that direction is held: v.n =
-/// velocity.n; else all.
+/// it gives (in 1D a number will do), asked only where it holds. With `normal(at)`, a unit vector, only that direction
+/// is held: v.n = velocity.n; else all.
 template <class B, class Point>
 concept BoundaryCondition = requires(const B& condition, const Point& at, double t) {
     { condition.holds(at) } -> std::convertible_to<bool>;
-    { condition.velocity(at, t) } -> std::convertible_to<Point>;
+    condition.velocity(at, t);
 };
 
 /// No condition: the body is free.

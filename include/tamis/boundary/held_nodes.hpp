@@ -42,22 +42,20 @@ template <class S, class Shape, class Boundary> class held_nodes {
     void start(const Nodes& nodes, double t, bool masses_are_new, const real& inverse_dt, double share) {
         if constexpr (any) {
             set_values(t);
-            for (entry& e : entries_) {
+            each([&](entry& e) {
                 if (masses_are_new) take_mass(nodes, e);
-                const auto before = get<field::momentum>(nodes, e.place);
-                const auto change = impose(nodes, e, before, e.mass, field::momentum{});
-                e.node.reaction = change * (real(share) * inverse_dt);
-            }
+                e.node.reaction = impose(nodes, e) * (constant<real>(share) * inverse_dt);
+            });
         }
     }
     /// Force f becomes the one that carries p (with its values of t) to the held values of time t. The momentum's
     /// column holds the momentum itself, or already the velocity.
     template <bool HoldsVelocity, class Nodes> void forces(const Nodes& nodes, double t, const real& inverse_dt) {
         if constexpr (any) {
-            for (entry& e : entries_) e.before = e.node.velocity;
+            each([](entry& e) { e.before = e.node.velocity; });
             set_values(t);
-            for (entry& e : entries_) {
-                if (!(e.mass > real(0))) continue;
+            each([&](entry& e) {
+                if (!(e.mass > real(0))) return;
                 const vector p = get<field::momentum>(nodes, e.place) * (HoldsVelocity ? e.mass : real(1));
                 const vector f = get<field::force>(nodes, e.place);
                 vector held = vector::Zero();
@@ -67,49 +65,67 @@ template <class S, class Shape, class Boundary> class held_nodes {
                 }
                 put<field::force>(nodes, e.place, vector(f + held));
                 e.node.reaction += held;
-            }
+            });
         }
     }
     /// Momentum p takes its held values of time t; no reaction (particles do not see p).
     template <class Nodes> void extrapolated(const Nodes& nodes, double t) {
         if constexpr (any) {
             set_values(t);
-            for (entry& e : entries_) impose(nodes, e, get<field::momentum>(nodes, e.place), e.mass, field::momentum{});
+            each([&](entry& e) { impose(nodes, e); });
         }
     }
     /// Held components of an increment become zero, in it and in the sum it was already added to.
     template <class Increment, class Sum, class Nodes>
     void increment(const Nodes& nodes, const real& inverse_dt, bool counts) {
         if constexpr (any)
-            for (entry& e : entries_) {
-                auto dv = get<Increment>(nodes, e.place);
-                auto sum = get<Sum>(nodes, e.place);
+            each([&](entry& e) {
+                const vector dv = get<Increment>(nodes, e.place), sum = get<Sum>(nodes, e.place);
                 vector gone = vector::Zero();
                 for (int k = 0; k < e.directions; ++k) gone += e.normal[at(k)].dot(dv) * e.normal[at(k)];
                 put<Increment>(nodes, e.place, vector(dv - gone));
                 put<Sum>(nodes, e.place, vector(sum - gone));
                 if (counts) e.node.reaction -= gone * (e.mass * inverse_dt);
-            }
+            });
     }
 
     /// Masses of held nodes, where they do not change from step to step.
     template <class Nodes> void take_masses(const Nodes& nodes) {
-        if constexpr (any)
-            for (entry& e : entries_) take_mass(nodes, e);
+        if constexpr (any) each([&](entry& e) { take_mass(nodes, e); });
     }
     /// Adds the step's work: reaction times the mean held velocity.
     void finish(const real& dt) {
         if constexpr (any)
-            for (const entry& e : entries_) work_ += e.node.reaction.dot(e.before + e.node.velocity) * dt / real(2);
+            each([&](entry& e) {
+                work_ += static_cast<sum_type>(e.node.reaction.dot(e.before + e.node.velocity) * dt / real(2));
+            });
     }
 
     /// Work of the conditions since the start of the run (J).
-    double work() const {
-        if constexpr (std::is_convertible_v<real, double>)
-            return static_cast<double>(work_);
-        else
-            return static_cast<double>(work_.value());
+    double work() const { return to_double(work_); }
+    /// A run begins: no work was done, and values are asked for anew.
+    void restart() {
+        work_ = sum_type(0);
+        values_at_ = std::numeric_limits<double>::quiet_NaN();
     }
+    /// Which blocks of nodes particles reach: the others take no part.
+    void attend(const std::vector<char>& reached) {
+        if constexpr (any) {
+            active_.clear();
+            values_at_ = std::numeric_limits<double>::quiet_NaN();
+            for (std::uint32_t k = 0; k < entries_.size(); ++k) {
+                entry& e = entries_[k];
+                if (reached[e.place / static_cast<std::size_t>(S::width)]) {
+                    active_.push_back(k);
+                    continue;
+                }
+                e.mass = real(0);
+                e.node.reaction.setZero();
+                e.node.velocity.setZero();
+            }
+        }
+    }
+    /// All held nodes; those that no particle reaches have zeros.
     auto reactions() const {
         std::vector<held_node<D, real>> all;
         for (const entry& e : entries_) all.push_back(e.node);
@@ -134,13 +150,24 @@ template <class S, class Shape, class Boundary> class held_nodes {
         int condition;
         vector normal;
     };
+    /// A direction that other conditions hold already: it must say the same as they.
+    struct repeated {
+        std::uint32_t entry;
+        given by;
+    };
+    using sum_type = std::conditional_t<std::is_same_v<real, float>, double, real>;
     Boundary boundary_;
     std::vector<entry> entries_;
     std::vector<given> given_;
+    std::vector<repeated> repeated_;
+    std::vector<std::uint32_t> active_;  // of entries_
     double values_at_ = std::numeric_limits<double>::quiet_NaN();
-    real work_{0};
+    sum_type work_{0};
 
     static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
+    template <class F> void each(F f) {
+        for (const std::uint32_t k : active_) f(entries_[k]);
+    }
     template <class F, class Nodes> TAMIS_INLINE static vector get(const Nodes& nodes, std::size_t place) {
         vector a;
         for (int d = 0; d < D; ++d) a[d] = nodes.template column<F>(d)[place];
@@ -152,14 +179,15 @@ template <class S, class Shape, class Boundary> class held_nodes {
     }
     template <class Nodes> static void take_mass(const Nodes& nodes, entry& e) {
         e.mass = nodes.template column<field::mass>()[e.place];
-        if (!(e.mass >= std::numeric_limits<real>::min())) e.mass = real(0);
+        if (!(e.mass > real(0)) || e.mass < least_mass<real>()) e.mass = real(0);
     }
-    template <class F, class Nodes>
-    static vector impose(const Nodes& nodes, const entry& e, const vector& before, const real& scale, F) {
+    /// Held components of the momentum take their values: the change.
+    template <class Nodes> static vector impose(const Nodes& nodes, const entry& e) {
+        const vector before = get<field::momentum>(nodes, e.place);
         vector change = vector::Zero();
         for (int k = 0; k < e.directions; ++k)
-            change += (scale * e.value[at(k)] - e.normal[at(k)].dot(before)) * e.normal[at(k)];
-        put<F>(nodes, e.place, vector(before + change));
+            change += (e.mass * e.value[at(k)] - e.normal[at(k)].dot(before)) * e.normal[at(k)];
+        put<field::momentum>(nodes, e.place, vector(before + change));
         return change;
     }
     vector velocity_of(int condition, const vector& where, double t) const {
@@ -167,7 +195,8 @@ template <class S, class Shape, class Boundary> class held_nodes {
         int c = 0;
         std::apply(
             [&](const auto&... each) {
-                ((c++ == condition ? (void)(u = vector(each.velocity(where, real(t)))) : void()), ...);
+                ((c++ == condition ? (void)(u = as_point<D, real>(each.velocity(where, constant<real>(t)))) : void()),
+                 ...);
             },
             each_condition(boundary_));
         return u;
@@ -176,7 +205,7 @@ template <class S, class Shape, class Boundary> class held_nodes {
     void set_values(double t) {
         if (t == values_at_) return;
         values_at_ = t;
-        for (entry& e : entries_) {
+        each([&](entry& e) {
             e.node.velocity.setZero();
             std::array<real, static_cast<std::size_t>(D)> raw{};
             for (int k = 0; k < e.directions; ++k) {
@@ -187,7 +216,20 @@ template <class S, class Shape, class Boundary> class held_nodes {
                 e.value[at(k)] = value;
                 e.node.velocity += value * e.normal[at(k)];
             }
-        }
+        });
+        for (const repeated& r : repeated_) check_repeated(r, t);
+    }
+    void check_repeated(const repeated& r, double t) const {
+        using std::abs;
+        const entry& e = entries_[r.entry];
+        if (!(e.mass > real(0))) return;
+        const vector u = velocity_of(r.by.condition, e.node.at, t);
+        const real difference = r.by.normal.dot(e.node.velocity) - r.by.normal.dot(u);
+        const real scale = std::max(u.norm(), e.node.velocity.norm());
+        if (abs(difference) > constant<real>(1e-6) * scale)
+            throw error(sentence("boundary conditions disagree at the node at (", e.node.at.transpose(), "), t = ", t,
+                                 ": two of them hold the same direction with values that differ by ", difference,
+                                 "; make their regions disjoint or their values equal"));
     }
 
     void find(const lattice_type& lattice) {
@@ -210,17 +252,16 @@ template <class S, class Shape, class Boundary> class held_nodes {
     template <class Condition> void add(entry& e, int index, const Condition& condition, const vector& where) {
         if (!condition.holds(where)) return;
         if constexpr (requires { condition.normal(where); }) {
-            const vector n = condition.normal(where);
+            const vector n = as_point<D, real>(condition.normal(where));
             const real length = n.norm();
-            if (!(length > real(0.999999) && length < real(1.000001)))
+            if (!(length > constant<real>(0.999999) && length < constant<real>(1.000001)))
                 throw error(sentence("boundary condition ", index, ": its normal at (", where.transpose(),
                                      ") has length ", length, "; give a unit vector"));
-            hold(e, index, n / length, where);
+            hold(e, index, n / length);
         } else
-            for (int d = 0; d < D; ++d) hold(e, index, vector::Unit(d), where);
+            for (int d = 0; d < D; ++d) hold(e, index, vector::Unit(d));
     }
-    void hold(entry& e, int index, const vector& n, const vector& where) {
-        using std::abs;
+    void hold(entry& e, int index, const vector& n) {
         vector rest = n;
         std::array<real, static_cast<std::size_t>(D)> row{};
         for (int k = 0; k < e.directions; ++k) {
@@ -229,16 +270,8 @@ template <class S, class Shape, class Boundary> class held_nodes {
             for (int j = 0; j <= k; ++j) row[at(j)] -= along * e.map[at(k)][at(j)];
         }
         const real length = rest.norm();
-        if (!(length > real(1e-6))) {
-            // The direction is already held: the two conditions must say the same.
-            set_probe(e, where);
-            vector held = vector::Zero();
-            for (int k = 0; k < e.directions; ++k) held += e.value[at(k)] * e.normal[at(k)];
-            const real difference = n.dot(held) - n.dot(velocity_of(index, where, 0.0));
-            if (abs(difference) > real(1e-6) * (real(1) + held.norm()))
-                throw error(sentence("boundary conditions disagree at the node at (", where.transpose(),
-                                     "): two of them hold the same direction with values that differ by ", difference,
-                                     "; make their regions disjoint or their values equal"));
+        if (!(length > constant<real>(1e-6))) {
+            repeated_.push_back({static_cast<std::uint32_t>(entries_.size()), {index, n}});
             return;
         }
         const int k = e.directions++;
@@ -248,15 +281,6 @@ template <class S, class Shape, class Boundary> class held_nodes {
         e.map[at(k)] = row;
         e.source[at(k)] = static_cast<int>(given_.size());
         given_.push_back({index, n});
-    }
-    void set_probe(entry& e, const vector& where) const {
-        std::array<real, static_cast<std::size_t>(D)> raw{};
-        for (int k = 0; k < e.directions; ++k) {
-            const given& g = given_[at(e.source[at(k)])];
-            raw[at(k)] = g.normal.dot(velocity_of(g.condition, where, 0.0));
-            e.value[at(k)] = real(0);
-            for (int j = 0; j <= k; ++j) e.value[at(k)] += e.map[at(k)][at(j)] * raw[at(j)];
-        }
     }
 };
 

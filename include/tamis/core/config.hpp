@@ -7,6 +7,11 @@
 #endif
 #include <Eigen/Core>
 
+#if defined(__FAST_MATH__) && !defined(TAMIS_ALLOW_FAST_MATH)
+#error \
+    "tamis: -ffast-math takes away the checks for values that are not numbers, and lets results depend on the compiler's mood; leave it out, or define TAMIS_ALLOW_FAST_MATH to go without them"
+#endif
+
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define TAMIS_INLINE __attribute__((always_inline)) inline
 #define TAMIS_INLINE_LAMBDA __attribute__((always_inline))

@@ -33,7 +33,8 @@ class threads {
     /// 0: as many as OpenMP would take. Throws `error` if the number is negative, or if the program was compiled
     /// without OpenMP (-fopenmp).
     explicit threads(int count = 0) : count_(count) {
-        if (count < 0) throw error(detail::sentence("threads: the number is ", count, "; give 0 (all) or more"));
+        if (count < 0 || count > 1024)
+            throw error(detail::sentence("threads: the number is ", count, "; give 0 (all), or 1 to 1024"));
 #if defined(_OPENMP)
         if (count == 0) count_ = omp_get_max_threads();
 #else

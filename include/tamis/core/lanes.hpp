@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #if TAMIS_XSIMD
@@ -80,7 +81,9 @@ template <class Real, class Arch> struct lane<xsimd::batch<Real, Arch>> {
 
 /// The widest vectors the compiler's target has.
 struct native_lanes {
-    template <class Real> using type = xsimd::batch<Real>;
+    template <class Real, bool Vectors = xsimd::has_simd_register<Real>::value> struct choose { using type = Real; };
+    template <class Real> struct choose<Real, true> { using type = xsimd::batch<Real>; };
+    template <class Real> using type = typename choose<Real>::type;
 };
 /// Vectors of W lanes, where the target has them.
 template <int W> struct lanes {
@@ -113,6 +116,25 @@ template <class T, class Number> TAMIS_INLINE T constant(const Number& number) {
     return T(static_cast<typename lane<T>::real>(number));
 }
 
+namespace detail {
+
+/// Nodes with less mass than this take no part: the inverse would be no number.
+template <class Real> Real least_mass() {
+    if constexpr (std::numeric_limits<Real>::is_specialized)
+        return Real(std::numeric_limits<Real>::min());
+    else
+        return Real(std::numeric_limits<double>::min());
+}
+
+/// A number as double, for decisions and messages; of a dual number, its value.
+template <class Number> double to_double(const Number& a) {
+    if constexpr (requires { static_cast<double>(a); })
+        return static_cast<double>(a);
+    else
+        return static_cast<double>(a.value());
+}
+
+}  // namespace detail
 }  // namespace tamis
 
 #if TAMIS_XSIMD

@@ -1,6 +1,8 @@
 #pragma once
 #include <tamis/core/lanes.hpp>
 
+#include <type_traits>
+
 namespace tamis {
 
 /// Dimension and scalar of a computation. T is what kernels compute with: lanes of `real`.
@@ -21,4 +23,26 @@ template <int Dim, class Real> using point = Eigen::Matrix<Real, Dim, 1, Eigen::
 /// A tensor of the problem, as users see it.
 template <int Dim, class Real> using matrix = Eigen::Matrix<Real, Dim, Dim, Eigen::DontAlign>;
 
+namespace detail {
+
+/// A point from what a user's function gives: a vector of any number type, or a plain number in 1D.
+template <int Dim, class Real, class Value> point<Dim, Real> as_point(const Value& value) {
+    if constexpr (Dim == 1 && std::is_convertible_v<Value, Real>)
+        return point<Dim, Real>(static_cast<Real>(value));
+    else {
+        static_assert(
+            static_cast<int>(Value::SizeAtCompileTime) == Dim,
+            "tamis: a vector of another dimension than the grid's; give as many components as the grid has axes");
+        if constexpr (std::is_same_v<typename Value::Scalar, Real>)
+            return point<Dim, Real>(value);
+        else
+            return point<Dim, Real>(value.template cast<Real>());
+    }
+}
+/// The same, of the kind of a given point.
+template <class Point, class Value> Point as_point_like(const Point&, const Value& value) {
+    return as_point<static_cast<int>(Point::SizeAtCompileTime), typename Point::Scalar>(value);
+}
+
+}  // namespace detail
 }  // namespace tamis

@@ -2,6 +2,7 @@
 #include <tamis/core/error.hpp>
 #include <tamis/core/space.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -17,7 +18,7 @@ template <int Dim, class Real = double> class uniform_grid {
     using vector = point<Dim, Real>;
 
     /// Box from `lower` to `upper` with cells of side `spacing`, all in units of length; the box is a whole number of
-    /// cells (to a millionth of one). Throws `error` otherwise.
+    /// cells (to a millionth of its length). Throws `error` otherwise.
     uniform_grid(const Real (&lower)[Dim], const Real (&upper)[Dim], Real spacing) {
         for (std::size_t d = 0; d < Dim; ++d) {
             lower_[static_cast<Eigen::Index>(d)] = lower[d];
@@ -36,7 +37,8 @@ template <int Dim, class Real = double> class uniform_grid {
                                              "; at most 1048576 are possible, give a larger spacing"));
             const int n = lane<Real>::floor(cells + Real(0.5));
             const Real off = cells - Real(n);
-            if (n < 1 || off > Real(1e-6) * Real(n) + Real(1e-6) || -off > Real(1e-6) * Real(n) + Real(1e-6))
+            const Real most = std::min(Real(1e-6) * Real(n + 1), Real(0.01));
+            if (n < 1 || off > most || -off > most)
                 throw error(detail::sentence("uniform_grid: the box is ", cells, " cells long along axis ", d,
                                              "; give corners a whole number of spacings apart"));
             cells_[static_cast<std::size_t>(d)] = n;

@@ -10,7 +10,7 @@ namespace tamis {
 /// called particle by particle; with `static constexpr bool in_lanes = true;` it is called with vectors of lanes.
 template <class L, class Vector>
 concept BodyLoad = requires(const L& load, const Vector& x, const Vector& v, double t) {
-    { load.acceleration(x, v, t) } -> std::convertible_to<Vector>;
+    load.acceleration(x, v, t);
 };
 
 /// No body acceleration.
@@ -24,6 +24,9 @@ template <class Vector> struct gravity {
     Vector g;
     static constexpr bool in_lanes = true;
     template <class V> V acceleration(const V&, const V&, auto) const {
+        static_assert(
+            static_cast<int>(Vector::SizeAtCompileTime) == static_cast<int>(V::SizeAtCompileTime),
+            "tamis: gravity of another dimension than the grid's; give as many components as the grid has axes");
         V b;
         for (int d = 0; d < static_cast<int>(b.size()); ++d) b[d] = constant<typename V::Scalar>(g[d]);
         return b;

@@ -57,7 +57,11 @@ class atomic_file {
         open_ = false;
         std::error_code failed;
         std::filesystem::rename(draft_, path_, failed);
-        if (failed) throw error(detail::sentence("cannot put ", path_.string(), " in place: ", failed.message()));
+        if (failed) {
+            const std::string why = failed.message();
+            std::filesystem::remove(draft_, failed);
+            throw error(detail::sentence("cannot put ", path_.string(), " in place: ", why));
+        }
     }
 
   private:

@@ -16,17 +16,17 @@ inline constexpr const char* axis_names[] = {"x", "y", "z"};
 /// Column names of a vector and of a symmetric tensor: the bare name in 1D, else with _x, _y, _z and _xx, _yy, ..., _xy, ...
 inline std::string vector_columns(const std::string& name, int dim) {
     if (dim == 1) return name;
-    std::string all;
-    for (int d = 0; d < dim; ++d) all += (d ? "," : "") + name + "_" + axis_names[d];
-    return all;
+    std::ostringstream all;
+    for (int d = 0; d < dim; ++d) all << (d ? "," : "") << name << '_' << axis_names[d];
+    return all.str();
 }
 inline std::string symmetric_columns(const std::string& name, int dim) {
     if (dim == 1) return name;
-    std::string all;
-    for (int d = 0; d < dim; ++d) all += (d ? "," : "") + name + "_" + axis_names[d] + axis_names[d];
+    std::ostringstream all;
+    for (int d = 0; d < dim; ++d) all << (d ? "," : "") << name << '_' << axis_names[d] << axis_names[d];
     for (int d = 0; d < dim; ++d)
-        for (int e = d + 1; e < dim; ++e) all += "," + name + "_" + axis_names[d] + axis_names[e];
-    return all;
+        for (int e = d + 1; e < dim; ++e) all << ',' << name << '_' << axis_names[d] << axis_names[e];
+    return all.str();
 }
 template <class Vector> void put_vector(std::ostream& out, const Vector& value) {
     for (int d = 0; d < value.rows(); ++d) out << ',' << value[d];
@@ -63,7 +63,9 @@ template <class Lattice, class Shape, class... Body> class csv_output {
   public:
     template <class Solver>
     csv_output(const Solver& mpm, std::tuple<Body&...> all, std::filesystem::path folder)
-        : lattice_(mpm.lattice()), functions_(mpm.functions()), all_(all), folder_(std::move(folder)) {
+        : csv_output(mpm.lattice(), mpm.functions(), all, std::move(folder)) {}
+    csv_output(const Lattice& lattice, const Shape& functions, std::tuple<Body&...> all, std::filesystem::path folder)
+        : lattice_(lattice), functions_(functions), all_(all), folder_(std::move(folder)) {
         std::error_code failed;
         made_folder_ = std::filesystem::create_directories(folder_, failed);
         // A folder that may not be written to is told before the run, not after it.
@@ -112,10 +114,11 @@ template <class Lattice, class Shape, class... Body> class csv_output {
         put(draft.out());
         draft.close();
     }
-    static std::string columns() {
-        return "time," + detail::vector_columns("position", dim) + (has_density ? ",density," : ",") +
-               detail::vector_columns("velocity", dim) + "," + detail::symmetric_columns("stress", dim) +
-               (has_strain ? "," + detail::symmetric_columns("strain", dim) : std::string());
+    static void put_columns(std::ostream& out) {
+        out << "time," << detail::vector_columns("position", dim);
+        if constexpr (has_density) out << ",density";
+        out << ',' << detail::vector_columns("velocity", dim) << ',' << detail::symmetric_columns("stress", dim);
+        if constexpr (has_strain) out << ',' << detail::symmetric_columns("strain", dim);
     }
     template <class Record> static void put_row(std::ostream& out, double time, const Record& r) {
         out << time;
@@ -127,7 +130,9 @@ template <class Lattice, class Shape, class... Body> class csv_output {
     }
     void put_particles(std::ostream& out, double time) const {
         constexpr bool several = sizeof...(Body) > 1;
-        out << (several ? "body," : "") << columns() << ",mass\n";
+        out << (several ? "body," : "");
+        put_columns(out);
+        out << ",mass\n";
         int k = 0;
         const auto put = [&](const auto& body) {
             for (const auto p : body) {
@@ -141,7 +146,8 @@ template <class Lattice, class Shape, class... Body> class csv_output {
         std::apply([&](const auto&... body) { (put(body), ...); }, all_);
     }
     void put_nodes(std::ostream& out, double time) const {
-        out << columns() << '\n';
+        put_columns(out);
+        out << '\n';
         for (const auto& node : node_records(lattice_, functions_, all_)) {
             put_row(out, time, node.mean);
             out << '\n';

@@ -26,11 +26,15 @@ template <class Lattice, class Shape, class... Body> class dump_output {
   public:
     template <class Solver>
     dump_output(const Solver& mpm, std::tuple<Body&...> all, std::filesystem::path path)
-        : lattice_(mpm.lattice()),
-          functions_(mpm.functions()),
+        : dump_output(mpm.lattice(), mpm.functions(), [&mpm] { return mpm.crossings(); }, all, std::move(path)) {}
+    /// `crossings` counts the cell crossings so far.
+    dump_output(const Lattice& lattice, const Shape& functions, std::function<std::size_t()> crossings, std::tuple<Body&...> all,
+                std::filesystem::path path)
+        : lattice_(lattice),
+          functions_(functions),
           all_(all),
-          crossings_([&mpm] { return mpm.crossings(); }),
-          told_(mpm.crossings()),
+          crossings_(std::move(crossings)),
+          told_(crossings_()),
           file_(std::move(path)) {}
 
     void operator()(const progress_state& now) {

@@ -3,12 +3,22 @@
 
 namespace tamis {
 
-/// Sum over a body's particles of f(particle).
+/// Sum over a body's particles of f(particle), a number or a vector; zero for a body without particles. Numbers are
+/// added up in double where the body's are floats: millions of them would lose digits.
 template <class Body, class F> auto sum_over(const Body& body, F&& f) {
     using value = std::remove_cvref_t<decltype(f(*body.begin()))>;
-    value total = value(f(*body.begin()) * 0);
-    for (const auto p : body) total += f(p);
-    return total;
+    if constexpr (std::is_arithmetic_v<value> || std::is_convertible_v<double, value>) {
+        std::conditional_t<std::is_same_v<value, float>, double, value> total(0);
+        for (const auto p : body) total += f(p);
+        return total;
+    } else {
+        using number = typename value::Scalar;
+        using wide = std::conditional_t<std::is_same_v<number, float>, double, number>;
+        Eigen::Matrix<wide, value::RowsAtCompileTime, value::ColsAtCompileTime, Eigen::DontAlign> total;
+        total.setConstant(wide(0));
+        for (const auto p : body) total += f(p).template cast<wide>();
+        return total;
+    }
 }
 
 /// Mass of a body (kg).
@@ -35,14 +45,13 @@ template <class Body> auto elastic_energy(const Body& body) {
 }
 /// Mass-weighted mean of a field over a body.
 template <class Body, class F> auto mean(const Body& body, F field) {
-    using number = typename Body::real;
     using seen = std::remove_cvref_t<decltype((*body.begin())[field])>;
-    const number mass = total_mass(body);
-    if constexpr (std::same_as<seen, number>)
-        return number(sum_over(body, [&](const auto& p) { return p[field] * p[symbols::m]; }) / mass);
+    const auto mass = total_mass(body);
+    if constexpr (std::same_as<seen, typename Body::real>)
+        return sum_over(body, [&](const auto& p) { return p[field] * p[symbols::m]; }) / mass;
     else {
         using value = typename seen::PlainObject;
-        return value(sum_over(body, [&](const auto& p) -> value { return p[field] * p[symbols::m]; }) / mass);
+        return (sum_over(body, [&](const auto& p) -> value { return p[field] * p[symbols::m]; }) / mass).eval();
     }
 }
 /// Largest particle speed of a body (m/s).

@@ -14,6 +14,7 @@ class progress_bar {
   public:
     void operator()(const progress_state& state) {
         if (!shown_on_terminal()) return;
+        if (state.step == 0) *this = {};
         // The clock is read about a thousand times a run, not every step.
         if (state.step < next_ && state.step != state.steps) return;
         next_ = state.step + 1 + state.steps / 1000;

@@ -73,10 +73,12 @@ template <class S, class Shape, class Law, class List> class body {
                     if (s.occupied[s.tiles[tile_].first + slot_] >> lane_ & 1u) return;
         }
     };
-    /// All particles, to read and write. The order is that of storage and may change from step to step.
+    /// All particles, to read and write. The order is that of storage and may change from step to step. The next step
+    /// checks what may have been changed, and makes held particles' node masses anew: to look only, iterate over
+    /// std::as_const(body).
     iterator<false> begin() {
         store_.deliver_all();
-        touched_ = true;
+        contents_.renew();
         return {*this, 0};
     }
     iterator<false> end() { return {*this, store_.tiles.size()}; }
@@ -114,13 +116,13 @@ template <class S, class Shape, class Law, class List> class body {
     store_type& store() { return store_; }
     const store_type& store() const { return store_; }
     const lattice_type& lattice() const { return lattice_; }
-    /// Was the body open to changes since this was last asked?
-    bool take_touched() { return std::exchange(touched_, false); }
+    /// Renewed whenever the particles were open to changes.
+    const detail::stamp& contents() const { return contents_; }
 
   private:
     lattice_type lattice_;
     store_type store_;
-    bool touched_ = true;
+    detail::stamp contents_;
 };
 
 /// The bodies of a step, by reference.

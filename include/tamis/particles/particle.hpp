@@ -83,7 +83,7 @@ template <class Body, bool Const> class particle {
     std::uint32_t slot_;
     int lane_;
 
-    point<D, real> position() const { return body_->position_of(tile_, slot_, lane_); }
+    const point<D, real> position() const { return body_->position_of(tile_, slot_, lane_); }
 };
 
 }  // namespace tamis

@@ -1,10 +1,12 @@
 #pragma once
 #include <tamis/core/error.hpp>
+#include <tamis/core/stamp.hpp>
 #include <tamis/core/values.hpp>
 #include <tamis/grid/lattice.hpp>
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace tamis::detail {
@@ -40,10 +42,8 @@ template <class S, class List> class tile_store {
 
     std::vector<tile> tiles;
     std::vector<slot> slots;
-    std::vector<std::uint32_t> occupied;        // per slot: which lanes hold a particle
-    std::vector<std::vector<letter>> outboxes;  // one per slab: threads write without meeting
-    bool tiles_changed = true;                  // tiles came or went since this was last set to false
-    const void* arranged_by = nullptr;          // the solver that saw them last
+    std::vector<std::uint32_t> occupied;  // per slot: which lanes hold a particle
+    stamp layout;                         // renewed when tiles come or go
 
     explicit tile_store(std::size_t blocks) : tile_of_block_(blocks, -1) {}
 
@@ -63,10 +63,10 @@ template <class S, class List> class tile_store {
         clear_lane(s, l);
         --count_;
     }
-    /// Puts the particle of lane l on its way to another cell.
-    void post(std::vector<letter>& outbox, std::uint32_t s, int l, const std::array<int, 3>& from_cell,
+    /// Puts the particle of lane l on its way to another cell. Slabs may do so at the same time.
+    void post(std::size_t slab, std::uint32_t s, int l, const std::array<int, 3>& from_cell,
               const std::array<int, 3>& cell) {
-        letter& to = outbox.emplace_back();
+        letter& to = outboxes_[slab].letters.emplace_back();
         const real* from = lane_of(s, l);
         for (int c = 0; c < components; ++c) to.value[c] = from[c * W];
         to.from = from_cell;
@@ -75,12 +75,18 @@ template <class S, class List> class tile_store {
         to.origin = static_cast<std::size_t>(s) * static_cast<std::size_t>(W) + static_cast<std::size_t>(l);
         clear_lane(s, l);
     }
+    /// Gives back the slots that a tile no longer needs, after it posted particles.
+    void shrink(std::size_t slab, tile& t) {
+        tighten(t);
+        if (t.count == 0) outboxes_[slab].emptied_a_tile = true;
+    }
     /// Hands the letters of all outboxes, in their order, to the tiles. Returns how many there were. `left(letter)`
-    /// decides about particles outside the grid: it gives their cell a valid value, or returns false to remove them.
+    /// decides about particles outside the grid: it gives their cell and place valid values, or returns false to remove
+    /// them.
     template <class Lattice, class Left> std::size_t sort_mail(const Lattice& lattice, Left&& left) {
         const std::size_t before = mail_.size();
-        for (auto& outbox : outboxes) {
-            for (letter& l : outbox) {
+        for (outbox& box : outboxes_) {
+            for (letter& l : box.letters) {
                 if (l.cell[0] == outside && !left(l)) {
                     --count_;
                     continue;
@@ -90,7 +96,8 @@ template <class S, class List> class tile_store {
                 ++t.letters;
                 mail_.push_back(l);
             }
-            outbox.clear();
+            box.letters.clear();
+            emptied_ = std::exchange(box.emptied_a_tile, false) || emptied_;
         }
         // Slots are made here, not in `deliver`: that may run in several threads.
         for (std::size_t k = before; k < mail_.size(); ++k) {
@@ -120,9 +127,14 @@ template <class S, class List> class tile_store {
         for (tile& t : tiles) deliver(t);
         mail_delivered();
     }
-    /// Tiles in the order of their nodes, slots without gaps, when new tiles or gaps have become many.
+    /// Tiles in the order of their nodes, slots without gaps, when new or empty tiles or gaps have become many.
     template <class Lattice> void tidy(const Lattice& lattice) {
-        if (tiles.size() > sorted_ + sorted_ / 8 + 16 || slots.size() > tidied_ + tidied_ / 2 + 256) sort(lattice, 2);
+        std::size_t empty = 0;
+        if (std::exchange(emptied_, false))
+            for (const tile& t : tiles) empty += t.count == 0 && t.letter < 0 ? 1 : 0;
+        if (empty > tiles.size() / 4 + 1 || tiles.size() > sorted_ + sorted_ / 8 + 16 ||
+            slots.size() > tidied_ + tidied_ / 2 + 256)
+            sort(lattice, 2);
     }
     template <class Lattice> void sort(const Lattice& lattice, std::uint32_t spare) {
         deliver_all();
@@ -163,7 +175,8 @@ template <class S, class List> class tile_store {
         occupied.swap(new_occupied);
         sorted_ = tiles.size();
         tidied_ = slots.size();
-        tiles_changed = true;
+        arranged_ = false;
+        layout.renew();
     }
     /// Share of the lanes in use that hold a particle.
     double occupancy() const {
@@ -175,6 +188,7 @@ template <class S, class List> class tile_store {
     /// Groups the tiles into slabs across the outermost axis such that slabs k and k + 2 reach no common node. The
     /// partition depends on the tiles only, never on the number of threads: so do the sums.
     template <int N> void arrange() {
+        if (std::exchange(arranged_, true)) return;
         constexpr int thinnest = D == 1 ? (N - 2) / W + 1 : N - 1;
         constexpr std::size_t outer = static_cast<std::size_t>(D - 1);
         order_.resize(tiles.size());
@@ -192,7 +206,7 @@ template <class S, class List> class tile_store {
             }
         } else
             slabs_.push_back(static_cast<std::uint32_t>(order_.size()));
-        outboxes.resize(slabs());
+        outboxes_.resize(slabs());
     }
     std::size_t slabs() const { return slabs_.size() - 1; }
     /// Runs f(tile index) over the tiles of slab k, in the order of their nodes.
@@ -201,6 +215,12 @@ template <class S, class List> class tile_store {
     }
 
   private:
+    struct outbox {
+        std::vector<letter> letters;
+        bool emptied_a_tile = false;
+    };
+    std::vector<outbox> outboxes_;  // one per slab: threads write without meeting
+    bool arranged_ = false, emptied_ = false;
     std::vector<std::uint32_t> order_, slabs_{0};
     std::vector<letter> mail_;
     std::vector<int> tile_of_block_;  // -1: none
@@ -212,7 +232,8 @@ template <class S, class List> class tile_store {
         if (t < 0) {
             t = static_cast<int>(tiles.size());
             tiles.push_back({at, lattice.first_node(at), static_cast<std::uint32_t>(slots.size()), 0, 0, -1, 0});
-            tiles_changed = true;
+            arranged_ = false;
+            layout.renew();
         }
         return t;
     }

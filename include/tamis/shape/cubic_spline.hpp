@@ -11,7 +11,8 @@ struct cubic_spline {
     static constexpr double shift = 0;
     template <class T> TAMIS_INLINE axis_weights<T, 4> on_axis(const T& r) const {
         const T s = T(1) - r, r2 = r * r, s2 = s * s;
-        const T half = constant<T>(0.5), sixth = constant<T>(1.0 / 6.0), two_thirds = constant<T>(2.0 / 3.0),
+        using real = typename lane<T>::real;
+        const T half = constant<T>(0.5), sixth(real(1) / real(6)), two_thirds(real(2) / real(3)),
                 three_halves = constant<T>(1.5);
         return {{sixth * s2 * s, two_thirds - r2 + half * r2 * r, two_thirds - s2 + half * s2 * s, sixth * r2 * r},
                 {-half * s2, three_halves * r2 - (r + r), (s + s) - three_halves * s2, half * r2}};

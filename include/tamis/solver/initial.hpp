@@ -5,18 +5,6 @@
 
 namespace tamis {
 
-namespace detail {
-
-/// A point from what a user's function of position gives: a vector, or a number in 1D.
-template <int D, class Real, class Value> point<D, Real> as_point(const Value& value) {
-    if constexpr (D == 1 && std::is_convertible_v<Value, Real>)
-        return point<D, Real>(static_cast<Real>(value));
-    else
-        return point<D, Real>(value);
-}
-
-}  // namespace detail
-
 /// Particle velocities from velocity(place), in m/s.
 template <class Body, class F> void set_velocity_of(Body& body, const F& velocity) {
     for (auto p : body) p[symbols::v] = detail::as_point<Body::dim, typename Body::real>(velocity(p[symbols::x]));

@@ -50,7 +50,7 @@ template <class Body> double wave_speed_of(const Body& body) {
         !requires { body.law.wave_speed_at(*body.begin(), Body::dim); }) {
         // A body given another density than its law's has another wave speed.
         double lightest = static_cast<double>(body.law.density);
-        for (const auto p : body) lightest = std::min(lightest, static_cast<double>(p[symbols::m] / p[symbols::V]));
+        for (const auto p : body) lightest = std::min(lightest, detail::to_double(p[symbols::m] / p[symbols::V]));
         c *= std::sqrt(static_cast<double>(body.law.density) / lightest);
     }
     return c;
@@ -62,7 +62,7 @@ template <bool Moves, class... Body> double signal_speed(const std::tuple<Body&.
     const auto one = [&](const auto& body) {
         double speed = 0;
         if constexpr (Moves)
-            for (const auto p : body) speed = std::max(speed, static_cast<double>(p[symbols::v].norm()));
+            for (const auto p : body) speed = std::max(speed, detail::to_double(p[symbols::v].norm()));
         fastest = std::max(fastest, wave_speed_of(body) + speed);
     };
     std::apply([&](const auto&... b) { (one(b), ...); }, all);
@@ -75,7 +75,7 @@ void check_finite(const Solver& mpm, const std::tuple<Body&...>& all, double dt)
     const auto one = [&](const auto& body) {
         long k = 0;
         for (const auto p : body) {
-            const double sum = static_cast<double>(p[symbols::v].sum() + p[symbols::sigma].sum());
+            const double sum = detail::to_double(p[symbols::v].sum() + p[symbols::sigma].sum());
             if (!std::isfinite(sum))
                 throw error(sentence("particle ", k, " at (", p[symbols::x].transpose(), "), step ", mpm.steps(),
                                      ", t = ", mpm.time(),
@@ -127,7 +127,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
     if (steps.count < 1)
         throw error(detail::sentence("integrate: ", steps.count, " steps; give fixed_steps{1} or more"));
     const double dt = (span.end - span.begin) / static_cast<double>(steps.count);
-    const double h = static_cast<double>(mpm.grid().spacing());
+    const double h = detail::to_double(mpm.grid().spacing());
     mpm.start_at(span.begin);
     progress_state state{0, steps.count, span.begin, span};
     (detail::tell(observers, state), ...);
@@ -155,8 +155,10 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pac
         throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
     if (!(pace.number > 0))
         throw error(detail::sentence("integrate: the Courant number is ", pace.number, "; give a positive one"));
-    detail::check_courant(pace.number, pace.limit, 0, 0, span.begin);
-    const double h = static_cast<double>(mpm.grid().spacing());
+    if (pace.number > pace.limit)
+        throw error(detail::sentence("integrate: the Courant number is ", pace.number, ", above the limit of ",
+                                     pace.limit, "; give a smaller one"));
+    const double h = detail::to_double(mpm.grid().spacing());
     mpm.start_at(span.begin);
     progress_state state{0, 0, span.begin, span};
     double from = span.begin, dt = 0;

@@ -84,7 +84,12 @@ template <class C, class Body> void add_particle(Body& body, const typename C::s
 template <int D, class real, class Region>
 std::vector<point<D, real>> points_in(const uniform_grid<D, real>& grid, const Region& region, int count) {
     std::array<int, 3> n{1, 1, 1};
-    for (int d = 0; d < D; ++d) n[static_cast<std::size_t>(d)] = grid.cells(d) * count;
+    for (int d = 0; d < D; ++d) {
+        if (count > (1 << 30) / grid.cells(d))
+            throw error(sentence("make_body: ", count, " particles per cell along an axis of ", grid.cells(d),
+                                 " cells are more than can be numbered; give fewer"));
+        n[static_cast<std::size_t>(d)] = grid.cells(d) * count;
+    }
     std::vector<point<D, real>> points;
     for (int k = 0; k < n[2]; ++k)
         for (int j = 0; j < n[1]; ++j)

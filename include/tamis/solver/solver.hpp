@@ -3,8 +3,10 @@
 #include <tamis/solver/seeding.hpp>
 #include <tamis/solver/sweeps.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -37,10 +39,14 @@ template <class Grid, class... Policies> class solver {
     /// Time at the end of the last step (s), and number of steps done.
     double time() const { return time_; }
     long steps() const { return steps_; }
-    /// Sets the time at which the run starts.
+    /// A run begins at time t: steps, crossings and work are counted from here. At the time where the solver stands the
+    /// run goes on.
     void start_at(double t) {
-        start_ = t;
-        time_ = t;
+        if (steps_ > 0 && t == time_) return;
+        start_ = previous_ = time_ = t;
+        steps_ = 0;
+        crossings_ = 0;
+        held_.restart();
     }
     /// Bytes a node takes.
     static constexpr std::size_t bytes_per_node() {
@@ -86,11 +92,11 @@ template <class Grid, class... Policies> class solver {
         return b;
     }
 
-    /// One step of dt (s) for the bodies, which move in one velocity field. Throws `error` if a particle is not a
-    /// number, or leaves the grid where that is not allowed; the bodies are then as they were found, good for
-    /// inspection only.
+    /// One step of dt (s) for the bodies, which move in one velocity field. Throws `error` if a particle's place is not
+    /// a number, or leaves the grid where that is not allowed: the step is then done, and the particle put back into
+    /// the grid, to be looked at. (`integrate` also looks for velocities and stresses that are not numbers.)
     template <class... Body> void step(std::tuple<Body&...> all, const real& dt) {
-        step(all, dt, time_ + as_double(dt));
+        step(all, dt, time_ + detail::to_double(dt));
     }
     template <class NotBodies> void step(NotBodies&&, const real&) {
         static_assert(sizeof(NotBodies) == 0,
@@ -101,15 +107,19 @@ template <class Grid, class... Policies> class solver {
     template <class... Body> void step(std::tuple<Body&...> all, const real& dt, double end) {
         using namespace symbols;
         using order = typename C::order;
+        static_assert(sizeof...(Body) > 0, "tamis: step and integrate need a body; give bodies(a, ...)");
         static_assert((serves<Body> && ...),
                       "tamis: a body was made by a solver of other policies, and lacks fields that "
                       "this one steps; make it with this solver's make_body");
         if (!(dt > real(0))) throw error(detail::sentence("step: the time step is ", dt, "; give a positive number"));
+        if (!(end > time_))
+            throw error(detail::sentence("step: it would end at t = ", end, ", and the time is ", time_,
+                                         " already; give a later end, or a longer step"));
         prepare(all);
         auto& nodes = sweeps_.nodes();
         const real inverse_dt = real(1) / dt;
         stage<Body...> now{*this, all, dt, inverse_dt};
-        const double held_start = order::explicit_euler ? std::max(start_, time_ - as_double(dt)) : time_;
+        const double held_start = order::explicit_euler ? previous_ : time_;
         const double held_end = order::explicit_euler ? time_ : end;
         const double share = transfer_.particle.start_share();
 
@@ -150,9 +160,14 @@ template <class Grid, class... Policies> class solver {
             if constexpr (C::mass::full) transfer_.mass.template filter<field::velocity>(false, now);
             now.template strain<field::velocity, C::moves>(real(order::after) * dt);
         }
+        previous_ = time_;
         time_ = end;
         ++steps_;
-        if constexpr (C::moves) std::apply([&](auto&... b) { (deliver(b, as_double(dt)), ...); }, all);
+        if constexpr (C::moves) {
+            std::string failure;
+            std::apply([&](auto&... b) { (deliver(b, detail::to_double(dt), failure), ...); }, all);
+            if (!failure.empty()) throw error(failure);
+        }
     }
 
   private:
@@ -167,9 +182,10 @@ template <class Grid, class... Policies> class solver {
     lattice_type lattice_;
     sweeps_type sweeps_;
     detail::held_nodes<S, typename C::shape, typename C::boundary> held_;
-    double start_ = 0, time_ = 0;
+    double start_ = 0, previous_ = 0, time_ = 0;  // of the run, of the last step's start, now
     long steps_ = 0;
     std::size_t crossings_ = 0;
+    std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared
 
     template <detail::role R, class Default> static auto pick(const std::tuple<Policies...>& all) {
         return C::template by_role<R, Default>::of(all);
@@ -183,41 +199,45 @@ template <class Grid, class... Policies> class solver {
           sweeps_(shape_, lattice_, run_),
           held_(pick<detail::role::boundary, unbounded>(all), lattice_) {}
 
-    static double as_double(const real& a) {
-        if constexpr (std::is_convertible_v<real, double>)
-            return static_cast<double>(a);
-        else
-            return static_cast<double>(a.value());
-    }
-
     /// What does not change from step to step: which nodes are in use and, for held particles, the nodes' masses.
     template <class... Body> void prepare(std::tuple<Body&...>& all) {
         const auto each = [&](auto f) { std::apply([&](auto&... b) { (f(b), ...); }, all); };
-        bool changed = false, touched = false;
-        each([&](auto& b) {
-            touched = b.take_touched() || touched;
-            if (!b.store().tiles_changed && b.store().arranged_by == this) return;
-            b.store().tiles_changed = false;
-            b.store().arranged_by = this;
-            b.store().template arrange<lattice_type::N>();
-            changed = true;
-        });
-        if (changed) find_active(all);
-        if (touched) each([&](auto& b) { check(b); });
-        if constexpr (!C::moves)
-            if (changed || touched) {
-                using namespace symbols;
-                sweeps_.nodes().template set_zero<field::mass>();
-                each([&](auto& b) {
-                    sweeps_.template scatter<fields<const field::mass>, fields<field::mass>>(
-                        b, nothing_to_make, [](auto p, auto near, auto) {
-                            for (const auto& [i, w, dw] : near) i[m] += w * p[m];
-                        });
-                });
-                held_.take_masses(sweeps_.nodes());
-                sweeps_.each_node(fields<const field::mass, field::inverse_mass>{},
-                                  [](auto i) { i[im] = inverse(i[m]); });
-            }
+        std::array<std::uint64_t, 2 * sizeof...(Body)> now;
+        std::size_t k = 0;
+        each([&](auto& b) { now[k++] = b.contents().number(); });
+        each([&](auto& b) { now[k++] = b.store().layout.number(); });
+        if (std::equal(now.begin(), now.end(), seen_.begin(), seen_.end())) return;
+
+        const bool as_before = seen_.size() == now.size();
+        const auto contents_end = now.begin() + static_cast<std::ptrdiff_t>(sizeof...(Body));
+        const bool contents_new = !as_before || !std::equal(now.begin(), contents_end, seen_.begin());
+        if (contents_new) {
+            check_different(all);
+            each([&](auto& b) { check(b); });
+        }
+        each([&](auto& b) { b.store().template arrange<lattice_type::N>(); });
+        find_active(all);
+        if constexpr (!C::moves) {
+            using namespace symbols;
+            sweeps_.nodes().template set_zero<field::mass>();
+            each([&](auto& b) {
+                sweeps_.template scatter<fields<const field::mass>, fields<field::mass>>(
+                    b, nothing_to_make, [](auto p, auto near, auto) {
+                        for (const auto& [i, w, dw] : near) i[m] += w * p[m];
+                    });
+            });
+            held_.take_masses(sweeps_.nodes());
+            sweeps_.each_node(fields<const field::mass, field::inverse_mass>{}, [](auto i) { i[im] = inverse(i[m]); });
+        }
+        // Last: what threw is looked at again.
+        seen_.assign(now.begin(), now.end());
+    }
+    template <class... Body> static void check_different(const std::tuple<Body&...>& all) {
+        const std::array<const void*, sizeof...(Body)> places =
+            std::apply([](const auto&... b) { return std::array<const void*, sizeof...(Body)>{&b...}; }, all);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (places[i] == places[j]) throw error("step: the same body is given twice; name each body once");
     }
     template <class... Body> void find_active(std::tuple<Body&...>& all) {
         constexpr auto W = static_cast<std::size_t>(S::width);
@@ -238,10 +258,15 @@ template <class Grid, class... Policies> class solver {
         for (std::size_t k = 0; k < on.size(); ++k)
             if (on[k]) blocks.push_back(static_cast<std::uint32_t>(k));
         sweeps_.nodes().set_active(std::move(blocks));
+        held_.attend(on);
     }
     /// Particles that a user could have changed must still make sense.
     template <class Body> void check(const Body& b) const {
         using namespace symbols;
+        const auto& other = b.lattice().grid();
+        bool same = other.lower() == grid().lower() && other.upper() == grid().upper();
+        for (int d = 0; d < dim; ++d) same = same && other.cells(d) == grid().cells(d);
+        if (!same) throw error("step: a body was made on another grid; make it with this solver's make_body");
         long k = 0;
         for (const auto p : b) {
             const auto bad = [&](const auto&... why) {
@@ -268,8 +293,9 @@ template <class Grid, class... Policies> class solver {
     static constexpr auto nothing_to_make = [](const auto&, const auto&, const auto&) { return nothing{}; };
     /// 1/m, and 0 where there is no mass, or so little that its inverse is no number.
     static TAMIS_INLINE T inverse(const T& mass) {
-        const T least(std::numeric_limits<real>::min());
-        return select(mass >= least, T(real(1)) / select(mass >= least, mass, T(real(1))), T(real(0)));
+        const T one(real(1));
+        const auto enough = mass >= T(detail::least_mass<real>());
+        return select(enough, one / select(enough, mass, one), T(real(0)));
     }
 
     /// The passes of one step; what mass policies see of it.
@@ -416,55 +442,48 @@ template <class Grid, class... Policies> class solver {
         }
     };
 
-    template <class B> void deliver(B& b, double dt) {
-        crossings_ += b.store().sort_mail(lattice_, [&](auto& letter) { return left(b, letter, dt); });
+    template <class B> void deliver(B& b, double dt, std::string& failure) {
+        crossings_ += b.store().sort_mail(lattice_, [&](auto& letter) {
+            return left(std::type_identity<typename B::store_type::slot>{}, letter, dt, failure);
+        });
         b.store().tidy(lattice_);
     }
-    /// A particle left the grid, or is not a number.
-    template <class B, class Letter> TAMIS_NOINLINE bool left(const B&, Letter& letter, double dt) {
-        using slot = typename B::store_type::slot;
-        constexpr int px = slot::template first<field::position>(), pv = slot::template first<field::velocity>();
-        point<dim, real> where, speed;
-        bool finite = true;
-        for (int d = 0; d < dim; ++d) {
-            real& r = letter.value[px + d];
-            finite = finite && r - r == real(0);
-            where[d] = grid().lower()[d] +
-                       grid().spacing() * (real(letter.from[static_cast<std::size_t>(d)]) - real(C::shape::shift) + r);
-            speed[d] = letter.value[pv + d];
-        }
-        const auto who = [&] {
-            return detail::sentence("particle ", letter.origin, " (place in storage), step ", steps_, ", t = ", time_,
-                                    ": ");
-        };
-        if (!finite)
-            throw error(who() + detail::sentence("its place is not a number (velocity ", speed.transpose(),
-                                                 "). Likely causes: a time step above the stability "
-                                                 "limit (dt = ",
-                                                 dt, "), or a law that returned one"));
+    /// A particle left the grid, or its place is not a number. True: it has a cell again; false: it is removed.
+    template <class Slot, class Letter>
+    TAMIS_NOINLINE bool left(std::type_identity<Slot>, Letter& letter, double dt, std::string& failure) const {
+        constexpr int px = Slot::template first<field::position>(), pv = Slot::template first<field::velocity>();
         using choice = leaving_stops::choice;
         constexpr choice what = C::leaving::when_leaving;
-        if constexpr (what == choice::remove) return false;
-        if constexpr (what == choice::clamp) {
-            for (int d = 0; d < dim; ++d) {
-                const real low = grid().lower()[d], high = grid().upper()[d];
-                where[d] = where[d] < low ? low : where[d] > high ? high : where[d];
-            }
-            point<dim, real> local;
-            if (lattice_.locate(where, letter.cell, local)) {
-                for (int d = 0; d < dim; ++d) letter.value[px + d] = local[d];
-                return true;
-            }
+        point<dim, real> where, speed, inside, local;
+        bool finite = true;
+        for (int d = 0; d < dim; ++d) {
+            const real& r = letter.value[px + d];
+            const real low = grid().lower()[d], high = grid().upper()[d];
+            finite = finite && r - r == real(0);
+            const real cell = real(letter.from[static_cast<std::size_t>(d)]) - constant<real>(C::shape::shift);
+            where[d] = low + grid().spacing() * (cell + r);
+            speed[d] = letter.value[pv + d];
+            inside[d] = where[d] >= low ? (where[d] <= high ? where[d] : high) : low;
         }
-        const double cells = as_double(speed.norm()) * dt / as_double(grid().spacing());
-        throw error(who() +
-                    detail::sentence(
-                        "it left the grid, to (", where.transpose(), ") with velocity (", speed.transpose(),
-                        "). Likely cause: ",
-                        cells > 0.5
-                            ? "a time step above the stability limit, for it moves more than half a cell a step"
+        if (finite && what == choice::remove) return false;
+        lattice_.locate(inside, letter.cell, local);
+        for (int d = 0; d < dim; ++d) letter.value[px + d] = local[d];
+        if ((finite && what == choice::clamp) || !failure.empty()) return true;
+        failure =
+            detail::sentence("particle ", letter.origin, " (place in storage), step ", steps_, ", t = ", time_, ": ");
+        const double cells = detail::to_double(speed.norm()) * dt / detail::to_double(grid().spacing());
+        if (!finite)
+            failure += detail::sentence("its place is not a number (velocity ", speed.transpose(),
+                                        "). Likely causes: a time step above the stability limit (dt = ", dt,
+                                        "), or a law, load or condition that gave one");
+        else
+            failure += detail::sentence(
+                "it left the grid, to (", where.transpose(), ") with velocity (", speed.transpose(),
+                "). Likely cause: ",
+                cells > 0.5 ? "a time step above the stability limit, for it moves more than half a cell a step"
                             : "no condition keeps the body from that wall; enlarge the grid, hold the wall, or choose "
-                              "leaving_clamps or leaving_removes"));
+                              "leaving_clamps or leaving_removes");
+        return true;
     }
 };
 

@@ -92,8 +92,8 @@ template <class C> class sweeps {
             });
     }
 
-    /// Gathers for every slot of a body: act(slot, occupied, frame, gathered). `act` returns true if a particle may
-    /// have left its cell.
+    /// Gathers for every slot of a body: act(slot, occupied, frame, gathered). Particles that are in another cell then
+    /// are posted.
     template <class Sums, class Gradient, class Body, class Act> void gather_each(Body& body, Act act) {
         auto& store = body.store();
         run_.for_each(store.slabs(), [&](std::size_t k) {
@@ -198,7 +198,7 @@ template <class C> class sweeps {
     }
 
     template <class Store> TAMIS_NOINLINE void post_leavers(Store& store, std::size_t slab, std::size_t index) {
-        const tile t = store.tiles[index];
+        tile& t = store.tiles[index];
         constexpr int first = Store::slot::template first<field::position>();
         for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
             for (int l = 0; l < W; ++l) {
@@ -216,8 +216,9 @@ template <class C> class sweeps {
                     for (int d = 0; d < D; ++d) p[d * W] = local[d];
                 else
                     cell[0] = Store::outside;
-                if (cell != from) store.post(store.outboxes[slab], s, l, from, cell);
+                if (cell != from) store.post(slab, s, l, from, cell);
             }
+        store.shrink(slab, t);
     }
     /// Brings a place into [0, 1) by going to a neighbouring cell; at the upper wall 1 stays. False if that is outside,
     /// or if the place is not a number.

@@ -26,9 +26,15 @@ typename S::vector acceleration_of(const Load& load, const Slot& slot, const fra
     using real = typename S::real;
     constexpr int D = S::dim, W = S::width;
     const typename S::vector x = places<S, Shape>(slot, at), v = slot.template get<field::velocity>();
-    if constexpr (W == 1 || requires { requires Load::in_lanes; })
-        return load.acceleration(x, v, t);
-    else {
+    if constexpr (W == 1)
+        return detail::as_point_like(x, load.acceleration(x, v, t));
+    else if constexpr (requires { requires Load::in_lanes; }) {
+        // Empty lanes have no place for which the load need make sense: 0 times infinity would go onto nodes.
+        typename S::vector b = load.acceleration(x, v, t);
+        const auto there = slot.template get<field::mass>() > T(real(0));
+        for (int d = 0; d < D; ++d) b[d] = select(there, b[d], T(real(0)));
+        return b;
+    } else {
         real xs[D][W], vs[D][W], mass[W], bs[D][W];
         for (int d = 0; d < D; ++d) {
             lane<T>::store(xs[d], x[d]);
@@ -41,8 +47,8 @@ typename S::vector acceleration_of(const Load& load, const Slot& slot, const fra
                 one_x[d] = xs[d][l];
                 one_v[d] = vs[d][l];
             }
-            // Empty lanes have no place for which the function need make sense.
-            if (mass[l] > real(0)) b = load.acceleration(std::as_const(one_x), std::as_const(one_v), t);
+            if (mass[l] > real(0))
+                b = as_point<D, real>(load.acceleration(std::as_const(one_x), std::as_const(one_v), t));
             for (int d = 0; d < D; ++d) bs[d][l] = b[d];
         }
         typename S::vector b;
