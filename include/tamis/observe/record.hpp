@@ -1,6 +1,8 @@
 #pragma once
 #include <tamis/particles/reach.hpp>
 
+#include <Eigen/LU>
+
 #include <tuple>
 #include <vector>
 

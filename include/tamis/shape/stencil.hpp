@@ -7,6 +7,39 @@ namespace tamis::detail {
 /// Which lanes of a tile lie in a cell at the lower or the upper wall, as 1 and 0, per axis.
 template <class S> struct wall_lanes { typename S::scalar low[S::dim], high[S::dim]; };
 
+/// Slope of a weight that is a product over the axes. Times a tensor, it keeps what is the same along a row of nodes
+/// apart, so that it is computed once a row.
+template <class S> struct slope_of {
+    using T = typename S::scalar;
+    T dx, wx, w, d1, d2;  // slope and weight along x; weight over y and z, and its slopes
+
+    TAMIS_INLINE operator typename S::vector() const {
+        typename S::vector g;
+        if constexpr (S::dim == 1)
+            g[0] = dx;
+        else {
+            g[0] = dx * w;
+            g[1] = wx * d1;
+            if constexpr (S::dim == 3) g[2] = wx * d2;
+        }
+        return g;
+    }
+    template <class Tensor>
+    friend TAMIS_INLINE typename S::vector operator*(const Eigen::MatrixBase<Tensor>& t, const slope_of& g) {
+        typename S::vector product;
+        unroll<S::dim>([&](auto index) TAMIS_INLINE_LAMBDA {
+            constexpr int c = index;
+            if constexpr (S::dim == 1)
+                product[c] = t(c, 0) * g.dx;
+            else if constexpr (S::dim == 2)
+                product[c] = (t(c, 0) * g.w) * g.dx + (t(c, 1) * g.d1) * g.wx;
+            else
+                product[c] = (t(c, 0) * g.w) * g.dx + (t(c, 1) * g.d1 + t(c, 2) * g.d2) * g.wx;
+        });
+        return product;
+    }
+};
+
 /// Weights of the nodes around W particles: the product of N weights per axis.
 template <class S, int N> struct stencil {
     using T = typename S::scalar;
@@ -54,16 +87,8 @@ template <class S, int N> struct stencil {
         else
             return axis[0].w[a] * q.w;
     }
-    TAMIS_INLINE typename S::vector slope(int a, const across& q) const {
-        typename S::vector g;
-        if constexpr (S::dim == 1)
-            g[0] = axis[0].dw[a];
-        else {
-            g[0] = axis[0].dw[a] * q.w;
-            g[1] = axis[0].w[a] * q.d1;
-            if constexpr (S::dim == 3) g[2] = axis[0].w[a] * q.d2;
-        }
-        return g;
+    TAMIS_INLINE slope_of<S> slope(int a, const across& q) const {
+        return {axis[0].dw[a], axis[0].w[a], q.w, q.d1, q.d2};
     }
 
   private:

@@ -320,32 +320,38 @@ template <class Grid, class... Policies> class solver {
             mpm.held_.template increment<field::increment, Sum>(mpm.sweeps_.nodes(), inverse_dt, felt);
         }
 
+        /// What is the same for every node around a particle: M V, V0 tau and M b.
+        struct carried {
+            typename S::vector momentum;
+            symmetric_field::value<S> stress;
+            typename S::vector load;
+        };
         /// Particles to nodes: mass (where it changes) and momentum; force.
         template <bool Momentum, bool Force, bool Mass = C::moves> void extrapolate() {
             using namespace symbols;
             using to_nodes = detail::merge_as_is<std::conditional_t<Momentum && Mass, fields<field::mass>, fields<>>,
                                                  std::conditional_t<Momentum, fields<field::momentum>, fields<>>,
                                                  std::conditional_t<Force, fields<field::force>, fields<>>>;
-            using shown = fields<const field::mass, const field::velocity, const field::volume, const field::stress>;
-            const auto kernel = [](auto p, auto near, const auto& b) TAMIS_INLINE_LAMBDA {
+            const auto make = [&](const auto& slot, const auto&, [[maybe_unused]] const auto& at) TAMIS_INLINE_LAMBDA {
+                const auto& mass = slot.template get<field::mass>();
+                carried of;
+                if constexpr (Momentum) of.momentum = slot.template get<field::velocity>() * mass;
+                if constexpr (Force)
+                    of.stress = slot.template get<field::stress>() * slot.template get<field::volume>();
+                if constexpr (Force && C::loaded)
+                    of.load = detail::acceleration_of<S, typename C::shape>(mpm.load_, slot, at, mpm.time_) * mass;
+                return of;
+            };
+            const auto kernel = [](auto p, auto near, const auto& of) TAMIS_INLINE_LAMBDA {
                 for (const auto& [i, w, dw] : near) {
-                    const T wm = w * p[m];
-                    if constexpr (Momentum && Mass) i[m] += wm;
-                    if constexpr (Momentum) i[mv] += wm * p[v];
-                    if constexpr (Force) i[f] -= p[V] * p[sigma] * dw;
-                    if constexpr (Force && C::loaded) i[f] += wm * b;
+                    if constexpr (Momentum && Mass) i[m] += w * p[m];
+                    if constexpr (Momentum) i[mv] += w * of.momentum;
+                    if constexpr (Force) i[f] -= detail::unpack<S>(of.stress) * dw;
+                    if constexpr (Force && C::loaded) i[f] += w * of.load;
                 }
             };
             each_body([&](auto& body) {
-                if constexpr (Force && C::loaded)
-                    mpm.sweeps_.template scatter<shown, to_nodes>(
-                        body,
-                        [&load = mpm.load_, t = mpm.time_](const auto& slot, const auto&, const auto& at) {
-                            return detail::acceleration_of<S, typename C::shape>(load, slot, at, t);
-                        },
-                        kernel);
-                else
-                    mpm.sweeps_.template scatter<shown, to_nodes>(body, nothing_to_make, kernel);
+                mpm.sweeps_.template scatter<fields<const field::mass>, to_nodes>(body, make, kernel);
             });
         }
         /// m and p become 1/m and v.

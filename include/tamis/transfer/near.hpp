@@ -54,7 +54,7 @@ template <class S, class Values, class Shown> struct one_node {
     struct entry {
         view<Values, Shown> i;
         typename S::scalar w;
-        typename S::vector dw;
+        slope_of<S> dw;
     };
     entry only;
     TAMIS_INLINE const entry* begin() const { return &only; }
