@@ -5,7 +5,10 @@ set -eu
 program=$1
 count() {
     valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" "$2" "$3" 2>&1 |
-        awk '/Collected/ { print $4 }'
+        awk '/Collected/ { print $4; found = 1 } END { exit !found }' || {
+        echo "valgrind could not run $program; is it installed, and the program compiled for AVX2 at most?" >&2
+        return 1
+    }
 }
 for shape in linear quadratic; do
     for motion in held moving; do
