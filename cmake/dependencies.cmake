@@ -70,14 +70,14 @@ endfunction()
 
 function(tamis_need_cli11)
     find_package(CLI11 CONFIG QUIET)
-    if(NOT CLI11_FOUND)
+    if(NOT TARGET CLI11::CLI11)
         tamis_fetch_headers(CLI11::CLI11 CLI11 https://github.com/CLIUtils/CLI11.git v2.4.1 include)
     endif()
 endfunction()
 
 function(tamis_need_json)
     find_package(nlohmann_json CONFIG QUIET)
-    if(NOT nlohmann_json_FOUND)
+    if(NOT TARGET nlohmann_json::nlohmann_json)
         tamis_fetch_headers(nlohmann_json::nlohmann_json json https://github.com/nlohmann/json.git v3.11.3
                             single_include)
     endif()

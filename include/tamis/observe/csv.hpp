@@ -13,7 +13,8 @@ namespace detail {
 
 inline constexpr const char* axis_names[] = {"x", "y", "z"};
 
-/// Column names of a vector and of a symmetric tensor: the bare name in 1D, else with _x, _y, _z and _xx, _yy, ..., _xy, ...
+/// Column names of a vector and of a symmetric tensor: the bare name in 1D, else with _x, _y, _z and _xx, _yy, ...,
+/// _xy, ...
 inline std::string vector_columns(const std::string& name, int dim) {
     if (dim == 1) return name;
     std::ostringstream all;
@@ -48,21 +49,21 @@ inline bool is_csv_output(const std::string& name) {
 
 }  // namespace detail
 
-/// An observer that writes two tables each time it is called, `particles_<step>.csv` and `nodes_<step>.csv`: time, position,
-/// density, velocity, stress and strain, of particles also the mass, in full precision under a line of column names. Node values are
-/// mass-weighted means over the particles in a node's reach; nodes without mass are left out. With several bodies a column `body`
-/// (0, 1, ...) comes first. Density and strain are left out where neither a stored field nor the law tells them.
+/// An observer that writes two tables each time it is called, `particles_<step>.csv` and `nodes_<step>.csv`: time,
+/// position, density, velocity, stress and strain, of particles also the mass, in full precision under a line of column
+/// names. Node values are mass-weighted means over the particles in a node's reach; nodes without mass are left out.
+/// With several bodies a column `body` (0, 1, ...) comes first. Density and strain are left out where neither a stored
+/// field nor the law tells them.
 ///
 ///     csv_output tables(mpm, bodies(bar), "out");
 ///     integrate(mpm, bodies(bar), {0, 2}, courant{0.1}, every(100, std::ref(tables)));
 ///     tables.commit();
 ///
-/// The files of a run appear together at `commit`, in place of those of an earlier run in that folder; without it there are none.
-/// Throws `error` where they cannot be written. Solver and bodies must outlive it.
+/// The files of a run appear together at `commit`, in place of those of an earlier run in that folder; without it there
+/// are none. Throws `error` where they cannot be written. Solver and bodies must outlive it.
 template <class Lattice, class Shape, class... Body> class csv_output {
   public:
-    template <class Solver>
-    csv_output(const Solver& mpm, std::tuple<Body&...> all, std::filesystem::path folder)
+    template <class Solver> csv_output(const Solver& mpm, std::tuple<Body&...> all, std::filesystem::path folder)
         : csv_output(mpm.lattice(), mpm.functions(), all, std::move(folder)) {}
     csv_output(const Lattice& lattice, const Shape& functions, std::tuple<Body&...> all, std::filesystem::path folder)
         : lattice_(lattice), functions_(functions), all_(all), folder_(std::move(folder)) {
@@ -154,8 +155,8 @@ template <class Lattice, class Shape, class... Body> class csv_output {
         }
     }
 };
-template <class Solver, class... Body>
-csv_output(const Solver& mpm, std::tuple<Body&...>, std::filesystem::path)
-    -> csv_output<std::remove_cvref_t<decltype(mpm.lattice())>, std::remove_cvref_t<decltype(mpm.functions())>, Body...>;
+template <class Solver, class... Body> csv_output(const Solver& mpm, std::tuple<Body&...>, std::filesystem::path)
+    -> csv_output<std::remove_cvref_t<decltype(mpm.lattice())>, std::remove_cvref_t<decltype(mpm.functions())>,
+                  Body...>;
 
 }  // namespace tamis

@@ -6,10 +6,11 @@
 
 namespace tamis {
 
-/// An observer for debugging, ADMPM's dump: each time it is called it writes, for every node with mass, the node's values and the
-/// particles in its reach with their weight, slope and every stored field; then the particles in no node's reach; then the particles
-/// that are not numbers and the number of cell crossings since the last record. Node values (mass, momentum, internal force;
-/// velocity, density, stress, strain as mass-weighted means) are made from the particles as they are at that time.
+/// An observer for debugging, ADMPM's dump: each time it is called it writes, for every node with mass, the node's
+/// values and the particles in its reach with their weight, slope and every stored field; then the particles in no
+/// node's reach; then the particles that are not numbers and the number of cell crossings since the last record. Node
+/// values (mass, momentum, internal force; velocity, density, stress, strain as mass-weighted means) are made from the
+/// particles as they are at that time.
 ///
 ///     dump_output all(mpm, bodies(bar), "bar.txt");
 ///     try {
@@ -20,16 +21,16 @@ namespace tamis {
 ///     }
 ///     all.commit();
 ///
-/// The file appears at `commit`; a run that failed is committed with the reason, its records are the use of a dump. Throws `error` where
-/// the file cannot be written. Solver and bodies must outlive it.
+/// The file appears at `commit`; a run that failed is committed with the reason, its records are the use of a dump.
+/// Throws `error` where the file cannot be written. Solver and bodies must outlive it.
 template <class Lattice, class Shape, class... Body> class dump_output {
   public:
-    template <class Solver>
-    dump_output(const Solver& mpm, std::tuple<Body&...> all, std::filesystem::path path)
-        : dump_output(mpm.lattice(), mpm.functions(), [&mpm] { return mpm.crossings(); }, all, std::move(path)) {}
+    template <class Solver> dump_output(const Solver& mpm, std::tuple<Body&...> all, std::filesystem::path path)
+        : dump_output(
+              mpm.lattice(), mpm.functions(), [&mpm] { return mpm.crossings(); }, all, std::move(path)) {}
     /// `crossings` counts the cell crossings so far.
-    dump_output(const Lattice& lattice, const Shape& functions, std::function<std::size_t()> crossings, std::tuple<Body&...> all,
-                std::filesystem::path path)
+    dump_output(const Lattice& lattice, const Shape& functions, std::function<std::size_t()> crossings,
+                std::tuple<Body&...> all, std::filesystem::path path)
         : lattice_(lattice),
           functions_(functions),
           all_(all),
@@ -60,7 +61,8 @@ template <class Lattice, class Shape, class... Body> class dump_output {
         const std::size_t crossings = crossings_();
         const watch_report report{now.step, now.time, detail::bad_particles(all_), crossings - told_};
         told_ = crossings;
-        out << "  not a number: " << report.bad.size() << ", cell crossings since the last record: " << report.crossings << '\n'
+        out << "  not a number: " << report.bad.size() << ", cell crossings since the last record: " << report.crossings
+            << '\n'
             << report;
     }
     /// Puts the file in place; the text given becomes its last line.
@@ -112,7 +114,8 @@ template <class Lattice, class Shape, class... Body> class dump_output {
         }
         out << '\n';
     }
-    /// One field of a particle under its name. Weights that held particles keep are not listed: each node's are, with the node.
+    /// One field of a particle under its name. Weights that held particles keep are not listed: each node's are, with
+    /// the node.
     template <class S, class F, class Store>
     static void put_field(std::ostream& out, const Store& store, std::uint32_t slot, int l) {
         constexpr bool listed = std::is_base_of_v<scalar_field, F> || std::is_base_of_v<vector_field, F> ||
@@ -172,8 +175,8 @@ template <class Lattice, class Shape, class... Body> class dump_output {
                          [](const touch& a, const touch& b) { return before(a.node, b.node); });
     }
 };
-template <class Solver, class... Body>
-dump_output(const Solver& mpm, std::tuple<Body&...>, std::filesystem::path)
-    -> dump_output<std::remove_cvref_t<decltype(mpm.lattice())>, std::remove_cvref_t<decltype(mpm.functions())>, Body...>;
+template <class Solver, class... Body> dump_output(const Solver& mpm, std::tuple<Body&...>, std::filesystem::path)
+    -> dump_output<std::remove_cvref_t<decltype(mpm.lattice())>, std::remove_cvref_t<decltype(mpm.functions())>,
+                   Body...>;
 
 }  // namespace tamis

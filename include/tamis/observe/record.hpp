@@ -17,17 +17,20 @@ template <int Dim, class Real> struct record {
     matrix<Dim, Real> stress, strain;
 };
 
-/// Can the strain of a body's particles be told? It can where the field is stored, or where the law gives it from the stress.
+/// Can the strain of a body's particles be told? It can where the field is stored, or where the law gives it from the
+/// stress.
 template <class Body>
-inline constexpr bool tells_strain =
-    Body::has(symbols::epsilon) ||
-    requires(const Body& body, const matrix<Body::dim, typename Body::real>& tau) { body.law.strain_at(*body.begin(), tau); };
+inline constexpr bool tells_strain = Body::has(symbols::epsilon) ||
+                                     requires(const Body& body, const matrix<Body::dim, typename Body::real>& tau) {
+    body.law.strain_at(*body.begin(), tau);
+};
 /// Can the density be told? It can where the field, the deformation or the strain is there.
 template <class Body>
 inline constexpr bool tells_density = Body::has(symbols::rho) || Body::has(symbols::F) || tells_strain<Body>;
 
 /// Strain of a particle: the stored field or, without one, that of the law at the particle's stress.
-template <class Body, class Particle> matrix<Body::dim, typename Body::real> strain_of(const Body& body, const Particle& p) {
+template <class Body, class Particle>
+matrix<Body::dim, typename Body::real> strain_of(const Body& body, const Particle& p) {
     using namespace symbols;
     if constexpr (Body::has(epsilon))
         return p[epsilon];
@@ -87,8 +90,8 @@ auto node_records(const detail::lattice<S, Shape>& lattice, const Shape& functio
                 std::uint32_t& k = place[flat(near.index)];
                 if (k == 0) {
                     reached.push_back({near.index,
-                                       {near.at, real(0), real(0), point<S::dim, real>::Zero(), matrix<S::dim, real>::Zero(),
-                                        matrix<S::dim, real>::Zero()},
+                                       {near.at, real(0), real(0), point<S::dim, real>::Zero(),
+                                        matrix<S::dim, real>::Zero(), matrix<S::dim, real>::Zero()},
                                        point<S::dim, real>::Zero()});
                     k = static_cast<std::uint32_t>(reached.size());
                 }

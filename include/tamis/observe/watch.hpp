@@ -11,8 +11,8 @@ namespace tamis {
 
 /// A particle with a field that is not a finite number.
 struct bad_particle {
-    int body;          // 0, 1, ...: which one of bodies(...)
-    long particle;     // place in the body's order
+    int body;               // 0, 1, ...: which one of bodies(...)
+    long particle;          // place in the body's order
     std::string field, at;  // the field's name; the particle's place, as text
 };
 /// What a watch tells: bad particles now, and the particles that went to another cell since it told the last time.
@@ -37,7 +37,8 @@ inline std::ostream& operator<<(std::ostream& out, const watch_report& report) {
 namespace detail {
 
 /// The first of a particle's fields that is not finite; empty if there is none.
-template <class S, class Store, class... F> std::string bad_field(const Store& store, std::uint32_t slot, int l, fields<F...>) {
+template <class S, class Store, class... F>
+std::string bad_field(const Store& store, std::uint32_t slot, int l, fields<F...>) {
     std::string found;
     const auto look = [&](auto tag) {
         using field_type = typename decltype(tag)::type;
@@ -71,8 +72,8 @@ template <class... Body> std::vector<bad_particle> bad_particles(const std::tupl
 
 }  // namespace detail
 
-/// An observer that looks for particles that are not numbers, and counts particles that change cells. It calls report(watch_report)
-/// when there is something to tell; without a report of your own it writes to the stream given.
+/// An observer that looks for particles that are not numbers, and counts particles that change cells. It calls
+/// report(watch_report) when there is something to tell; without a report of your own it writes to the stream given.
 ///
 ///     integrate(mpm, bodies(bar), {0, 2}, courant{0.1}, every(100, watch(mpm, bodies(bar), std::cerr)));
 ///
@@ -81,9 +82,11 @@ template <class... Body> class watch {
   public:
     template <class Solver>
     watch(const Solver& mpm, std::tuple<Body&...> all, std::function<void(const watch_report&)> report)
-        : all_(all), report_(std::move(report)), crossings_([&mpm] { return mpm.crossings(); }), told_(mpm.crossings()) {}
-    template <class Solver>
-    watch(const Solver& mpm, std::tuple<Body&...> all, std::ostream& out)
+        : all_(all),
+          report_(std::move(report)),
+          crossings_([&mpm] { return mpm.crossings(); }),
+          told_(mpm.crossings()) {}
+    template <class Solver> watch(const Solver& mpm, std::tuple<Body&...> all, std::ostream& out)
         : watch(mpm, all, [&out](const watch_report& report) { out << report; }) {}
 
     void operator()(const progress_state& now) {
@@ -99,6 +102,7 @@ template <class... Body> class watch {
     std::function<std::size_t()> crossings_;
     std::size_t told_;
 };
-template <class Solver, class... Body, class Report> watch(const Solver&, std::tuple<Body&...>, Report&&) -> watch<Body...>;
+template <class Solver, class... Body, class Report> watch(const Solver&, std::tuple<Body&...>, Report&&)
+    -> watch<Body...>;
 
 }  // namespace tamis

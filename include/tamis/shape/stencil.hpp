@@ -24,6 +24,10 @@ template <class S> struct slope_of {
         }
         return g;
     }
+    TAMIS_INLINE T operator[](int d) const {
+        const typename S::vector g = *this;
+        return g[d];
+    }
     template <class Tensor>
     friend TAMIS_INLINE typename S::vector operator*(const Eigen::MatrixBase<Tensor>& t, const slope_of& g) {
         typename S::vector product;

@@ -1,0 +1,9 @@
+#include "block.hpp"
+#include "catch.hpp"
+
+using namespace tamis;
+
+TEMPLATE_TEST_CASE("2D, quadratic, moving, native lanes: the block agrees with the reference", "[reference_matrix]",
+                   flip, fmpm<2>, xpic<2>, pic) {
+    block::check_orders<2, native_lanes, quadratic_spline, TestType, usl_minus, usavg_plus, usf>();
+}

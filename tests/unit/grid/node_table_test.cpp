@@ -1,0 +1,44 @@
+#include <tamis/grid/node_table.hpp>
+
+#include "catch.hpp"
+
+using namespace tamis;
+
+namespace {
+
+template <class T> void only_active_blocks_are_cleared() {
+    using S = space<2, T>;
+    constexpr auto W = static_cast<std::size_t>(S::width);
+    detail::node_table<S, fields<field::mass, field::velocity>> nodes(20 * W);
+    STATIC_REQUIRE(nodes.components == 3);
+    for (std::size_t k = 0; k < 20 * W; ++k) {
+        CHECK(nodes.template column<field::velocity>(1)[k] == 0);
+        nodes.template column<field::mass>()[k] = 1;
+        nodes.template column<field::velocity>(0)[k] = 2;
+        nodes.template column<field::velocity>(1)[k] = 3;
+    }
+    nodes.set_active({1, 2, 3, 7, 19});
+    CHECK(nodes.active().size() == 5);
+    nodes.template set_zero<field::momentum>();
+    for (std::size_t k = 0; k < 20 * W; ++k) {
+        const std::size_t block = k / W;
+        const bool active = (block >= 1 && block <= 3) || block == 7 || block == 19;
+        CHECK(nodes.template column<field::mass>()[k] == 1);
+        CHECK(nodes.template column<field::velocity>(0)[k] == (active ? 0 : 2));
+        CHECK(nodes.template column<field::velocity>(1)[k] == (active ? 0 : 3));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("node_table: columns of their own, zero at first; only active blocks are cleared") {
+    only_active_blocks_are_cleared<double>();
+    only_active_blocks_are_cleared<native_lanes::type<double>>();
+}
+
+TEST_CASE("node_table: fields that share a column are one") {
+    detail::node_table<space<1, double>, fields<field::mass, field::velocity>> nodes(8);
+    CHECK(nodes.column<field::inverse_mass>() == nodes.column<field::mass>());
+    CHECK(nodes.column<field::momentum>() == nodes.column<field::velocity>());
+    CHECK(nodes.column<field::mass>() != nodes.column<field::velocity>());
+}

@@ -1,0 +1,96 @@
+#include <tamis/tamis.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "catch.hpp"
+#include "unit/complaint.hpp"
+
+using namespace tamis;
+using namespace tamis::symbols;
+
+namespace {
+
+using grid = uniform_grid<1, double>;
+const grid line{{0.}, {1.}, 0.25};
+/// Waves of speed 2: a Courant number of 1 is a time step of 1/8.
+const linear_elastic law{.young = 4, .poisson = 0, .density = 1};
+
+/// A bar of particles that are held, at rest.
+struct scene {
+    solver<grid, linear, held> mpm{line, linear{}, held{}};
+    decltype(mpm)::body_for<linear_elastic> bar = mpm.make_body(law, everywhere, per_cell{1});
+};
+template <class Pace> std::string refusal(interval span, Pace pace) {
+    scene s;
+    return complaint([&] { integrate(s.mpm, bodies(s.bar), span, pace); });
+}
+
+}  // namespace
+
+TEST_CASE("integrate: a number of equal steps, the last of which ends at the end") {
+    scene s;
+    std::vector<double> times;
+    std::vector<long> steps;
+    const long done = integrate(
+        s.mpm, bodies(s.bar), {0.3, 1}, fixed_steps{7}, [&](double t) { times.push_back(t); },
+        every(3, [&](const progress_state& state) {
+            CHECK(state.steps == 7);
+            CHECK(state.span.begin == 0.3);
+            CHECK(state.time == s.mpm.time());
+            steps.push_back(state.step);
+        }));
+    CHECK(done == 7);
+    CHECK(s.mpm.steps() == 7);
+    CHECK(s.mpm.time() == 1);
+    REQUIRE(times.size() == 8);
+    CHECK(times.front() == 0.3);
+    CHECK(times.back() == 1);
+    CHECK(std::abs(times[3] - 0.6) < 1e-15);
+    CHECK(steps == std::vector<long>{0, 3, 6});
+}
+
+TEST_CASE("integrate: steps by the Courant number of the law's waves") {
+    scene s;
+    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{0.5}) == 16);
+    CHECK(s.mpm.time() == 1);
+    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{0.45}) == 18);
+    CHECK(s.mpm.time() == 1);
+}
+
+TEST_CASE("integrate: moving particles carry waves along") {
+    solver mpm{grid{{0.}, {16.}, 0.25}};
+    auto bar = mpm.make_body(
+        law, [](const auto& at) { return at[0] > 1 && at[0] < 2; }, per_cell{2});
+    for (auto p : bar) p[v][0] = 6;
+    const long steps = integrate(mpm, bodies(bar), {0, 1}, courant{0.5});
+    // (2 + 6) dt/h = 1/2.
+    CHECK(steps == 64);
+}
+
+TEST_CASE("integrate: spans and paces that make no sense are refused") {
+    CHECK(names(refusal({1, 1}, fixed_steps{5}), "integrate", "end is not after the beginning"));
+    CHECK(names(refusal({1, 0}, courant{0.5}), "integrate", "end is not after the beginning"));
+    CHECK(names(refusal({0, 1}, fixed_steps{0}), "integrate", "0 steps", "fixed_steps{1}"));
+    CHECK(names(refusal({0, 1}, courant{0}), "integrate", "Courant number is 0", "positive"));
+    CHECK(names(refusal({0, 1}, courant{std::numeric_limits<double>::quiet_NaN()}), "Courant number is"));
+    CHECK(names(complaint([] { every(0, [](double) {}); }), "every", "n is 0"));
+}
+
+TEST_CASE("integrate: steps beyond the stability limit are refused, with the step that would do") {
+    const std::string text = refusal({0, 1}, fixed_steps{4});
+    CAPTURE(text);
+    CHECK(names(text, "step 0, t = 0", "Courant number", "is 2 with dt = 0.25", "limit of 1", "at most 0.125"));
+    CHECK(names(refusal({0, 1}, courant{1.5}), "Courant number", "1.5", "limit of 1"));
+    CHECK(refusal({0, 1}, fixed_steps{4, 3}) == "nothing");
+    CHECK(refusal({0, 1}, courant{1.5, 2}) == "nothing");
+}
+
+TEST_CASE("integrate: a held particle that is no longer a number is told with its place, step and time") {
+    scene s;
+    for (auto p : s.bar) p[sigma](0, 0) = p[x][0] > 0.5 ? std::numeric_limits<double>::quiet_NaN() : 0;
+    const std::string text = complaint([&] { integrate(s.mpm, bodies(s.bar), {2, 3}, fixed_steps{20}); });
+    CAPTURE(text);
+    CHECK(names(text, "particle 2 at (0.625)", "step 0, t = ", "not a number", "stability limit"));
+}

@@ -1,0 +1,141 @@
+#include <tamis/tamis.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "catch.hpp"
+
+using namespace tamis;
+using namespace tamis::symbols;
+
+namespace {
+
+template <int Dim> uniform_grid<Dim, double> box() {
+    if constexpr (Dim == 1)
+        return {{0.}, {21.}, 1.};
+    else if constexpr (Dim == 2)
+        return {{0., 0.}, {11., 3.}, 1.};
+    else
+        return {{0., 0., 0.}, {9., 2., 2.}, 1.};
+}
+
+struct no_law {
+    double density = 1;
+    double wave_speed() const { return 1; }
+    template <class Tensor> Tensor stress(auto, const Tensor& L, auto) const { return L; }
+};
+struct nothing {};
+
+/// Component d of a velocity that is linear in the place, and its slopes.
+double linear_velocity(const auto& at, int d) { return 3. + d + at[0] - 2 * at[at.size() - 1]; }
+double slope_along(int axis, int dim) { return (axis == 0 ? 1. : 0.) - (axis == dim - 1 ? 2. : 0.); }
+
+template <int Dim, class F> void each_node(const uniform_grid<Dim, double>& grid, F f) {
+    std::array<int, 3> n{0, 0, 0};
+    for (int d = 0; d < Dim; ++d) n[static_cast<std::size_t>(d)] = grid.cells(d);
+    for (int k = 0; k <= n[2]; ++k)
+        for (int j = 0; j <= n[1]; ++j)
+            for (int i = 0; i <= n[0]; ++i) f(std::array<int, 3>{i, j, k});
+}
+
+/// Particles anywhere in a box, of any mass and velocity, and their sweeps.
+template <int Dim, class Shape, class Lanes> struct scene {
+    using C = detail::composition<uniform_grid<Dim, double>, Shape, pic, Lanes>;
+    using S = typename C::S;
+    using solver_type = solver<uniform_grid<Dim, double>, Shape, pic, Lanes>;
+    solver_type mpm{box<Dim>(), Shape{}, pic{}, Lanes{}};
+    typename solver_type::template body_for<no_law> body = mpm.make_body_at(no_law{}, points(), 1.);
+    detail::lattice<S, Shape> lattice{box<Dim>()};
+    Shape functions{};
+    serial run{};
+    detail::sweeps<C> sweeps{functions, lattice, run};
+
+    scene() {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> number(0, 1);
+        for (auto p : body) {
+            p[m] = number(random);
+            for (int d = 0; d < Dim; ++d) p[v][d] = number(random) - 0.5;
+        }
+        body.store().template arrange<Shape::support>();
+        std::vector<std::uint32_t> blocks;
+        for (std::size_t k = 0; k < lattice.size() / S::width; ++k) blocks.push_back(static_cast<std::uint32_t>(k));
+        sweeps.nodes().set_active(blocks);
+    }
+    static std::vector<point<Dim, double>> points() {
+        std::mt19937 random(11);
+        std::vector<point<Dim, double>> all(130);
+        for (auto& at : all)
+            for (int d = 0; d < Dim; ++d)
+                at[d] = std::uniform_real_distribution<double>(0, box<Dim>().upper()[d])(random);
+        return all;
+    }
+    double& node(auto field, const std::array<int, 3>& index, int d = 0) {
+        return sweeps.nodes().template column<decltype(field)>(d)[lattice.node_place(index)];
+    }
+};
+
+template <int Dim, class Shape, class Lanes> void transfers_are_complete() {
+    using S = typename scene<Dim, Shape, Lanes>::S;
+    CAPTURE(Dim, Shape::support, S::width);
+    scene<Dim, Shape, Lanes> s;
+    s.sweeps.template scatter<fields<const field::mass, const field::velocity>, fields<field::mass, field::momentum>>(
+        s.body, [](const auto&, const auto&, const auto&) { return nothing{}; },
+        [](auto p, auto near, auto) {
+            for (const auto& [i, w, dw] : near) {
+                i[m] += w * p[m];
+                i[mv] += w * p[m] * p[v];
+            }
+        });
+    // The nodes of the box have all mass, and its moments: sums of u . p over nodes are those of u . M V over
+    // particles.
+    double mass = 0, power = 0;
+    for (const auto p : std::as_const(s.body)) {
+        mass -= p[m];
+        for (int d = 0; d < Dim; ++d) power -= p[m] * p[v][d] * linear_velocity(p[x], d);
+    }
+    each_node(box<Dim>(), [&](const auto& index) {
+        mass += s.node(field::mass{}, index);
+        for (int d = 0; d < Dim; ++d) {
+            const double u = linear_velocity(box<Dim>().node(index), d);
+            power += s.node(field::momentum{}, index, d) * u;
+            s.node(field::acceleration{}, index, d) = u;
+        }
+    });
+    CHECK(std::abs(mass) < 1e-12);
+    CHECK(std::abs(power) < 1e-11);
+
+    double slope_error = 0;
+    s.sweeps.template gather_each<fields<field::acceleration>, field::acceleration>(
+        s.body, [&](auto& slot, std::uint32_t occupied, const auto&, const auto& g) {
+            slot.template get<field::velocity>() = g.sums.template get<field::acceleration>();
+            for (int c = 0; c < Dim; ++c)
+                for (int d = 0; d < Dim; ++d) {
+                    double slopes[S::width];
+                    lane<typename S::scalar>::store(slopes, g.gradient(c, d));
+                    for (int l = 0; l < S::width; ++l)
+                        if (occupied >> l & 1u)
+                            slope_error = std::max(slope_error, std::abs(slopes[l] - slope_along(d, Dim)));
+                }
+            return false;
+        });
+    CHECK(slope_error < 1e-13);
+    for (const auto p : std::as_const(s.body))
+        for (int d = 0; d < Dim; ++d) CHECK(std::abs(p[v][d] - linear_velocity(p[x], d)) < 4e-14);
+}
+
+}  // namespace
+
+TEST_CASE("sweeps: to nodes and back, mass, first moments, linear functions and slopes are kept") {
+    transfers_are_complete<1, linear, native_lanes>();
+    transfers_are_complete<1, cubic_spline, one_lane>();
+    transfers_are_complete<2, quadratic_spline, one_lane>();
+    transfers_are_complete<2, cubic_spline, native_lanes>();
+    transfers_are_complete<3, quadratic_spline, native_lanes>();
+#if TAMIS_XSIMD
+    // Fewer lanes than a row has nodes: sums go to the nodes another way.
+    transfers_are_complete<1, cubic_spline, lanes<2>>();
+    transfers_are_complete<2, cubic_spline, lanes<2>>();
+#endif
+}
