@@ -225,7 +225,7 @@ template <class S, class Shape, class Boundary> class held_nodes {
         if (!(e.mass > real(0))) return;
         const vector u = velocity_of(r.by.condition, e.node.at, t);
         const real difference = r.by.normal.dot(e.node.velocity) - r.by.normal.dot(u);
-        const real scale = std::max(u.norm(), e.node.velocity.norm());
+        const real scale = std::max<real>(u.norm(), e.node.velocity.norm());
         if (abs(difference) > constant<real>(1e-6) * scale)
             throw error(sentence("boundary conditions disagree at the node at (", e.node.at.transpose(), "), t = ", t,
                                  ": two of them hold the same direction with values that differ by ", difference,

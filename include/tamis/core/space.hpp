@@ -12,8 +12,8 @@ template <int Dim, class T> struct space {
     static constexpr int width = lane<T>::width;
     using scalar = T;
     using real = typename lane<T>::real;
-    // Eigen aligns 2-vectors of double to 16 bytes, which would leave holes between the columns of a slot.
-    static constexpr int align = width == 1 ? static_cast<int>(Eigen::DontAlign) : 0;
+    // Eigen aligns small vectors to their size, which would leave holes between the columns of a slot.
+    static constexpr int align = static_cast<int>(Eigen::DontAlign);
     using vector = Eigen::Matrix<T, Dim, 1, align>;
     using tensor = Eigen::Matrix<T, Dim, Dim, align>;
 };

@@ -117,8 +117,8 @@ template <class S, class Shape> class lattice {
             cell[at(d)] = c;
             local[d] = q - real(c);
             // Round-off must not put a point on a wall beyond it.
-            if (c == 0) local[d] = std::max(local[d], real(Shape::shift));
-            if (c == bins_[at(d)] - 1) local[d] = std::min(local[d], real(1) - real(Shape::shift));
+            if (c == 0) local[d] = std::max<real>(local[d], real(Shape::shift));
+            if (c == bins_[at(d)] - 1) local[d] = std::min<real>(local[d], real(1) - real(Shape::shift));
         }
         return true;
     }

@@ -37,7 +37,7 @@ template <int Dim, class Real = double> class uniform_grid {
                                              "; at most 1048576 are possible, give a larger spacing"));
             const int n = lane<Real>::floor(cells + Real(0.5));
             const Real off = cells - Real(n);
-            const Real most = std::min(Real(1e-6) * Real(n + 1), Real(0.01));
+            const Real most = std::min<Real>(Real(1e-6) * Real(n + 1), Real(0.01));
             if (n < 1 || off > most || -off > most)
                 throw error(detail::sentence("uniform_grid: the box is ", cells, " cells long along axis ", d,
                                              "; give corners a whole number of spacings apart"));

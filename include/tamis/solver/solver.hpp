@@ -295,7 +295,8 @@ template <class Grid, class... Policies> class solver {
     static TAMIS_INLINE T inverse(const T& mass) {
         const T one(real(1));
         const auto enough = mass >= T(detail::least_mass<real>());
-        return select(enough, one / select(enough, mass, one), T(real(0)));
+        const T inverse_of = one / select(enough, mass, one);
+        return select(enough, inverse_of, T(real(0)));
     }
 
     /// The passes of one step; what mass policies see of it.
