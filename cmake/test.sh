@@ -1,9 +1,9 @@
 #!/bin/sh
-# sh cmake/test.sh: installs what is missing (Debian, Ubuntu), builds everything with warnings as errors, and
-# runs all tests.
+# sh cmake/test.sh: installs what is missing (Debian, Ubuntu), builds the tests with warnings as errors,
+# and runs them all.
 set -eu
 cd "$(dirname "$0")/.."
 
-sh cmake/setup.sh catch2 libbenchmark-dev libcli11-dev nlohmann-json3-dev
+sh cmake/setup.sh catch2 libcli11-dev nlohmann-json3-dev
 sh cmake/build.sh test
 ctest --test-dir build/test -j2 --output-on-failure

@@ -1,4 +1,4 @@
-#include "bar.hpp"
+#include "reference_matrix/bar.hpp"
 #include "catch.hpp"
 
 using namespace tamis;
