@@ -22,7 +22,7 @@ template <> struct tamis::lane<dual> {
     static dual iota() { return dual(0); }
     static bool any(bool mask) { return mask; }
     static dual select(bool mask, const dual& yes, const dual& no) { return mask ? yes : no; }
-    static int floor(const dual& a) { return static_cast<int>(std::floor(a.value())); }
+    static int floor(const dual& number) { return static_cast<int>(std::floor(number.value())); }
 };
 
 namespace {
