@@ -151,7 +151,7 @@ namespace {
 
 /// Infinite at x = 0.55, where there is no particle.
 struct singular {
-    static constexpr bool in_lanes = true;
+    [[maybe_unused]] static constexpr bool in_lanes = true;
     template <class V> V acceleration(const V& x, const V&, auto) const {
         V b = x;
         for (int d = 0; d < static_cast<int>(x.size()); ++d) b[d] = typename V::Scalar(1e-3) / (x[d] - 0.55);

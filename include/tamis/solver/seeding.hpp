@@ -13,32 +13,32 @@ struct per_cell {
     int count = 2;
 };
 
-/// A law: `density` (kg/m^Dim), `wave_speed()` or `wave_speed(dim)` (m/s), and `stress(p, grad_v, dt)`, the new
-/// Kirchhoff stress of a particle strained at rate grad_v (1/s) for dt (s). `on_particles` lists the fields it reads
-/// and writes.
 template <class L>
-concept Law = requires(const L& law) {
+concept HasDensity = requires(const L& law) {
     { law.density } -> std::convertible_to<double>;
+};
+/// `wave_speed()` or, where it depends on the dimension, `wave_speed(dim)` (m/s).
+template <class L>
+concept HasWaveSpeed = requires(const L& law) {
+    { law.wave_speed() } -> std::convertible_to<double>;
 }
-&&(
-    requires(const L& law) {
-        { law.wave_speed() } -> std::convertible_to<double>;
-    } ||
-    requires(const L& law) {
-        { law.wave_speed(1) } -> std::convertible_to<double>;
-    });
+|| requires(const L& law) {
+    { law.wave_speed(1) } -> std::convertible_to<double>;
+};
+/// A law: `density` (kg/m^Dim), a wave speed, and `stress(p, grad_v, dt)`, the new Kirchhoff stress of a particle
+/// strained at rate grad_v (1/s) for dt (s). `on_particles` lists the fields it reads and writes.
+template <class L>
+concept Law = HasDensity<L> && HasWaveSpeed<L>;
 
 namespace detail {
 
 template <class L> void check_law(const L& law) {
-    static_assert(
-        requires { law.density; }, "tamis: the law has no density; give it a member `double density`");
-    static_assert(
-        requires { law.wave_speed(); } || requires { law.wave_speed(1); },
-        "tamis: the law has no wave speed, from which time steps are chosen; give it a member function "
-        "`double wave_speed() const`");
+    static_assert(HasDensity<L>, "tamis: the law has no density; give it a member `double density`");
+    static_assert(HasWaveSpeed<L>,
+                  "tamis: the law has no wave speed, from which time steps are chosen; give it a member function "
+                  "`double wave_speed() const`");
     if constexpr (requires { law.check(); }) law.check();
-    if constexpr (requires { law.density; }) {
+    if constexpr (HasDensity<L>) {
         if (!(static_cast<double>(law.density) > 0))
             throw error(sentence("make_body: the law's density is ", static_cast<double>(law.density),
                                  "; give a positive number"));
