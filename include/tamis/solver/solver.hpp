@@ -80,6 +80,11 @@ template <class Grid, class... Policies> class solver {
     /// A body with a particle of the given volume at each point.
     template <class L, class... Extra> auto make_body_at(const L& law, const std::vector<point<dim, real>>& points,
                                                          const real& volume, fields<Extra...> = {}) const {
+        // Here, not in check_law: clang names the user's line only for functions whose return type it must deduce.
+        static_assert(HasDensity<L>, "tamis: the law has no density; give it a member `double density`");
+        static_assert(HasWaveSpeed<L>,
+                      "tamis: the law has no wave speed, from which time steps are chosen; give it a "
+                      "member function `double wave_speed() const`");
         detail::check_law(law);
         if (points.empty()) throw error("make_body: the body has no particle; give at least one point");
         if (!(volume > real(0)))
