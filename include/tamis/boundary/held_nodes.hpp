@@ -137,10 +137,10 @@ template <class S, class Shape, class Boundary> class held_nodes {
     struct entry {
         std::size_t place;
         int directions = 0;
-        std::array<vector, static_cast<std::size_t>(D)> normal;  // orthonormal
+        std::array<vector, static_cast<std::size_t>(D)> normal{};  // orthonormal
         std::array<std::array<real, static_cast<std::size_t>(D)>, static_cast<std::size_t>(D)>
-            map;                                              // normal = map * given
-        std::array<int, static_cast<std::size_t>(D)> source;  // index into given_
+            map{};                                              // normal = map * given
+        std::array<int, static_cast<std::size_t>(D)> source{};  // index into given_
         std::array<real, static_cast<std::size_t>(D)> value{};
         real mass{};
         vector before = vector::Zero();
@@ -227,7 +227,7 @@ template <class S, class Shape, class Boundary> class held_nodes {
         const real difference = r.by.normal.dot(e.node.velocity) - r.by.normal.dot(u);
         const real scale = std::max<real>(u.norm(), e.node.velocity.norm());
         if (abs(difference) > constant<real>(1e-6) * scale)
-            throw error(sentence("boundary conditions disagree at the node at (", e.node.at.transpose(), "), t = ", t,
+            throw error(sentence("boundary conditions disagree at the node at (", list_of(e.node.at), "), t = ", t,
                                  ": two of them hold the same direction with values that differ by ", difference,
                                  "; make their regions disjoint or their values equal"));
     }
@@ -255,8 +255,8 @@ template <class S, class Shape, class Boundary> class held_nodes {
             const vector n = as_point<D, real>(condition.normal(where));
             const real length = n.norm();
             if (!(length > constant<real>(0.999999) && length < constant<real>(1.000001)))
-                throw error(sentence("boundary condition ", index, ": its normal at (", where.transpose(),
-                                     ") has length ", length, "; give a unit vector"));
+                throw error(sentence("boundary condition ", index, ": its normal at (", list_of(where), ") has length ",
+                                     length, "; give a unit vector"));
             hold(e, index, n / length);
         } else
             for (int d = 0; d < D; ++d) hold(e, index, vector::Unit(d));

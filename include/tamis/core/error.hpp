@@ -22,5 +22,13 @@ template <class... Parts> std::string sentence(const Parts&... parts) {
     return text.str();
 }
 
+/// The components of a vector, "1, 2.5, 0", for messages.
+template <class Vector> std::string list_of(const Vector& vector) {
+    std::ostringstream text;
+    text.precision(9);
+    for (int d = 0; d < static_cast<int>(vector.size()); ++d) text << (d == 0 ? "" : ", ") << vector[d];
+    return text.str();
+}
+
 }  // namespace detail
 }  // namespace tamis

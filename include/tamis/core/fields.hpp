@@ -98,6 +98,13 @@ template <class... S, class... Rest> struct merge_names<fields<S...>, fields<>, 
 template <class... S, class F, class... L, class... Rest> struct merge_names<fields<S...>, fields<F, L...>, Rest...>
     : merge_names<std::conditional_t<contains<fields<S...>, F>, fields<S...>, fields<S..., std::remove_const_t<F>>>,
                   fields<L...>, Rest...> {};
+/// Lists one after the other, as they are.
+template <class... Lists> struct concatenate;
+template <class... F> struct concatenate<fields<F...>> { using type = fields<F...>; };
+template <class... F, class... G, class... Rest> struct concatenate<fields<F...>, fields<G...>, Rest...>
+    : concatenate<fields<F..., G...>, Rest...> {};
+template <bool Wanted, class... F> using fields_if = std::conditional_t<Wanted, fields<F...>, fields<>>;
+
 template <class... Lists> using merge_as_is = typename merge_names<fields<>, Lists...>::type;
 
 }  // namespace detail

@@ -61,7 +61,7 @@ template <class... Body> std::vector<bad_particle> bad_particles(const std::tupl
         for (const auto p : body) {
             const std::string field = bad_field<typename body_type::space_type>(body.store(), p.slot(), p.lane_index(),
                                                                                 typename body_type::field_list{});
-            if (!field.empty()) bad.push_back({k, n, field, sentence(p[symbols::x].transpose())});
+            if (!field.empty()) bad.push_back({k, n, field, list_of(p[symbols::x])});
             ++n;
         }
         ++k;

@@ -114,6 +114,9 @@ template <class Grid, class... P> struct composition {
     static constexpr bool moves = motion::moves;
     static constexpr bool loaded = !requires { requires load::never; };
     static constexpr bool remaps = order::remap && order::after > 0;
+    static constexpr where_to particles_go = !moves   ? where_to::nowhere
+                                             : remaps ? where_to::displacement
+                                                      : where_to::position;
 
     template <class U> struct to_move { using type = fields<>; };
     template <class U>

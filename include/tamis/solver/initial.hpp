@@ -16,7 +16,7 @@ template <class Body, class F> void set_density_of(Body& body, const F& density)
     for (auto p : body) {
         const real value = static_cast<real>(density(p[x]));
         if (!(value > real(0)))
-            throw error(detail::sentence("set_density_of: the density at (", p[x].transpose(), ") is ", value,
+            throw error(detail::sentence("set_density_of: the density at (", detail::list_of(p[x]), ") is ", value,
                                          "; give a positive number"));
         p[m] = value * p[V];
         if constexpr (Body::has(rho)) p[rho] = value;

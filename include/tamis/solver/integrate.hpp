@@ -70,15 +70,13 @@ template <bool Moves, class... Body> double signal_speed(const std::tuple<Body&.
 }
 
 /// Throws if a particle's velocity or stress is not a number.
-template <class Solver, class... Body>
-void check_finite(const Solver& mpm, const std::tuple<Body&...>& all, double dt) {
+template <class... Body> void check_finite(const std::tuple<Body&...>& all, long steps, double time, double dt) {
     const auto one = [&](const auto& body) {
         long k = 0;
         for (const auto p : body) {
             const double sum = detail::to_double(p[symbols::v].sum() + p[symbols::sigma].sum());
             if (!std::isfinite(sum))
-                throw error(sentence("particle ", k, " at (", p[symbols::x].transpose(), "), step ", mpm.steps(),
-                                     ", t = ", mpm.time(),
+                throw error(sentence("particle ", k, " at (", list_of(p[symbols::x]), "), step ", steps, ", t = ", time,
                                      ": its velocity or stress is not a number. Likely causes: a time "
                                      "step above the stability limit (dt = ",
                                      dt, "), or a law that returned one"));
@@ -134,7 +132,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
     for (long k = 1; k <= steps.count; ++k) {
         if ((k - 1) % 1000 == 0) {
             const double speed = detail::signal_speed<Solver::composition_type::moves>(std::as_const(all));
-            detail::check_finite(mpm, all, dt);
+            detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
             detail::check_courant(speed * dt / h, steps.limit, dt, k - 1, state.time);
         }
         const double end = k == steps.count ? span.end : span.begin + dt * static_cast<double>(k);
@@ -143,7 +141,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
         state.time = end;
         (detail::tell(observers, state), ...);
     }
-    detail::check_finite(mpm, all, dt);
+    detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
     return steps.count;
 }
 
@@ -165,7 +163,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pac
     long done = 0, left = 0, since = 0;
     const auto choose = [&] {
         const double speed = detail::signal_speed<Solver::composition_type::moves>(std::as_const(all));
-        detail::check_finite(mpm, all, dt);
+        detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
         from = state.time;
         since = 0;
         const double wanted = (span.end - from) * speed / (pace.number * h);
@@ -189,7 +187,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pac
         state.time = end;
         (detail::tell(observers, state), ...);
     }
-    detail::check_finite(mpm, all, dt);
+    detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
     return done;
 }
 

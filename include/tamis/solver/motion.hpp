@@ -28,4 +28,10 @@ struct leaving_removes {
     static constexpr auto when_leaving = leaving_stops::choice::remove;
 };
 
+namespace detail {
+
+/// What a particle's way through the step is added to: nothing, what is kept until the step's end, or its place.
+enum class where_to { nowhere, displacement, position };
+
+}  // namespace detail
 }  // namespace tamis

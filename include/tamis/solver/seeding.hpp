@@ -42,27 +42,27 @@ template <class L> void check_law(const L& law) {
 }
 
 /// Puts a particle at a point of the grid: its slot and lane.
-template <class C, class Body> void add_particle(Body& body, const typename C::shape& functions,
-                                                 const point<C::dim, typename C::real>& where,
-                                                 const typename C::real& volume, const typename C::real& density) {
-    using real = typename C::real;
+template <bool Moves, class Body, class Shape>
+void add_particle(Body& body, const Shape& functions, const point<Body::dim, typename Body::real>& where,
+                  const typename Body::real& volume, const typename Body::real& density) {
+    using real = typename Body::real;
     using slot = typename Body::store_type::slot;
-    constexpr int D = C::dim, W = C::S::width;
+    constexpr int D = Body::dim, W = Body::space_type::width;
     const auto& lattice = body.lattice();
     std::array<int, 3> cell;
     point<D, real> local;
     if (!lattice.locate(where, cell, local))
-        throw error(sentence("make_body: the particle at (", where.transpose(), ") is outside the grid, (",
-                             lattice.grid().lower().transpose(), ") to (", lattice.grid().upper().transpose(),
+        throw error(sentence("make_body: the particle at (", list_of(where), ") is outside the grid, (",
+                             list_of(lattice.grid().lower()), ") to (", list_of(lattice.grid().upper()),
                              "); enlarge the grid or leave it out"));
     auto& store = body.store();
     const std::uint32_t s = store.add(lattice, cell);
     real* p = store.lane_of(s, cell[0] % W);
     if constexpr (stores<typename Body::field_list, field::position>)
         for (int d = 0; d < D; ++d) p[(slot::template first<field::position>() + d) * W] = local[d];
-    if constexpr (!C::moves) {
+    if constexpr (!Moves) {
         using one = space<D, real>;
-        using weights = held_weights<typename C::shape>;
+        using weights = held_weights<Shape>;
         typename weights::template value<one> kept;
         weights::template keep<one>(kept, stencil_at(lattice, functions, cell, local));
         for (int c = 0; c < weights::template components<one>; ++c)
@@ -76,9 +76,25 @@ template <class C, class Body> void add_particle(Body& body, const typename C::s
         for (int d = 0; d < D; ++d) p[(slot::template first<field::deformation>() + d * (D + 1)) * W] = real(1);
 }
 
-/// Centres of the particles of a region.
+/// Fills a new body: a particle of the given volume at each point.
+template <bool Moves, class Body, class Shape>
+void add_particles(Body& body, const Shape& functions, const std::vector<point<Body::dim, typename Body::real>>& points,
+                   const typename Body::real& volume) {
+    using real = typename Body::real;
+    check_law(body.law);
+    if (points.empty()) throw error("make_body: the body has no particle; give at least one point");
+    if (!(volume > real(0) && volume - volume == real(0)))
+        throw error(sentence("make_body: the particles' volume is ", volume, "; give a positive, finite number"));
+    for (const auto& where : points) add_particle<Moves>(body, functions, where, volume, real(body.law.density));
+    body.store().sort(body.lattice(), 0);
+    if constexpr (requires(typename Body::template iterator<false> p) { body.law.start(*p); })
+        for (auto p : body) body.law.start(p);
+}
+
+/// Centres of the particles of a region. Throws `error` if there are none.
 template <int D, class real, class Region>
 std::vector<point<D, real>> points_in(const uniform_grid<D, real>& grid, const Region& region, int count) {
+    if (count < 1) throw error(sentence("make_body: ", count, " particles per cell; give per_cell{1} or more"));
     std::array<int, 3> n{1, 1, 1};
     for (int d = 0; d < D; ++d) {
         if (count > (1 << 30) / grid.cells(d))
@@ -97,6 +113,8 @@ std::vector<point<D, real>> points_in(const uniform_grid<D, real>& grid, const R
                                grid.spacing() * ((real(index[static_cast<std::size_t>(d)]) + real(0.5)) / real(count));
                 if (region(std::as_const(where))) points.push_back(where);
             }
+    if (points.empty())
+        throw error("make_body: the region holds no particle; check it against the grid's corners and the spacing");
     return points;
 }
 

@@ -1,52 +1,25 @@
 #pragma once
 #include <tamis/grid/node_table.hpp>
 #include <tamis/particles/body.hpp>
-#include <tamis/solver/composition.hpp>
-#include <tamis/transfer/body_load.hpp>
+#include <tamis/particles/leavers.hpp>
 #include <tamis/transfer/gather.hpp>
 #include <tamis/transfer/scatter.hpp>
-#include <tamis/transfer/strain.hpp>
+#include <tamis/transfer/weigh.hpp>
 
 namespace tamis::detail {
 
-/// Weights of the particles of one tile: made from their places, or recalled where they are held.
-template <class C> struct tile_weights {
-    using S = typename C::S;
-    using shape = typename C::shape;
-    const shape& functions;
-    typename S::scalar inverse_spacing;
-    bool at_wall;
-    wall_lanes<S> walls;
-
-    tile_weights(const shape& the_functions, const lattice<S, shape>& lattice, const tile& t)
-        : functions(the_functions),
-          inverse_spacing(lattice.inverse_spacing()),
-          at_wall(C::moves && lattice.at_wall(t.at)) {
-        if (at_wall) walls = lattice.walls_of(t.at);
-    }
-    template <class Slot> TAMIS_INLINE void operator()(stencil<S, shape::support>& st, const Slot& slot) const {
-        if constexpr (C::moves) {
-            st.set(functions, slot.template get<field::position>(), inverse_spacing);
-            if constexpr (ghosts < shape >> 0)
-                if (at_wall) st.fold(walls);
-        } else
-            held_weights<shape>::template recall<S>(st, slot.template get<held_weights<shape>>(), inverse_spacing);
-    }
-};
-
-/// Passes over nodes, and over the particles of one body, for a composition C.
-template <class C> class sweeps {
+/// Passes over nodes, and over the particles of one body. They depend on as little of a composition as they can, so
+/// that compositions of one program share them.
+template <class S, class Shape, class NodeFields, class Execution, bool Moves> class sweeps {
   public:
-    using S = typename C::S;
     using T = typename S::scalar;
     using real = typename S::real;
-    using shape = typename C::shape;
-    using lattice_type = lattice<S, shape>;
-    using nodes_type = node_table<S, typename C::node_fields>;
-    using execution = typename C::execution;
-    static constexpr int D = S::dim, W = S::width, N = shape::support;
+    using lattice_type = lattice<S, Shape>;
+    using nodes_type = node_table<S, NodeFields>;
+    using weigh_type = tile_weights<S, Shape, Moves>;
+    static constexpr int W = S::width, N = Shape::support;
 
-    sweeps(const shape& functions, const lattice_type& lattice, const execution& run)
+    sweeps(const Shape& functions, const lattice_type& lattice, const Execution& run)
         : functions_(functions), lattice_(lattice), run_(run), nodes_(lattice.size()) {}
 
     nodes_type& nodes() { return nodes_; }
@@ -61,56 +34,66 @@ template <class C> class sweeps {
         });
     }
 
-    /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = make(slot,
+    /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = kernel.make(slot,
     /// stencil, frame).
-    template <class Shown, class ToNodes, class Body, class Make, class Kernel>
-    void scatter(Body& body, Make make, Kernel kernel) {
+    template <class Shown, class ToNodes, class Body, class Kernel> void scatter(Body& body, Kernel kernel) {
         auto& store = body.store();
         const bool mail = store.has_mail();
-        const std::size_t slabs = store.slabs();
-        // Slabs k and k + 2 share no node: even ones first, then odd ones, whatever the number of threads.
-        for (std::size_t colour = 0; colour < 2 && colour < slabs; ++colour)
-            run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) {
-                store.each_tile(2 * k + colour, [&](std::size_t j) {
-                    tile& t = store.tiles[j];
-                    if (mail) store.deliver(t);
-                    const tile_weights<C> weigh(functions_, lattice_, t);
-                    scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at),
-                                                 weigh, make, kernel);
-                });
-            });
+        each_tile_by_colour(store, [&](tile& t) {
+            if (mail) store.deliver(t);
+            const weigh_type weigh(functions_, lattice_, t);
+            const auto make = [&](const auto& slot, const auto&, const auto& at)
+                                  TAMIS_INLINE_LAMBDA { return kernel.make(slot, at); };
+            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
+                                         kernel);
+        });
         if (mail) store.mail_delivered();
     }
 
-    /// SdV = S^T M S dv.
-    template <class Body> void spread_increment(Body& body) {
-        using namespace symbols;
-        using list = fields<field::increment>;
-        scatter_gathered<fields<const field::mass>, list, fields<field::image>>(
-            body, [](auto p, auto near, const auto& dv_p) {
-                for (const auto& [i, w, dw] : near) i[Sdv] += w * p[m] * dv_p.sums.template get<field::increment>();
-            });
+    /// The same with made = S F for all node fields F of `Read`.
+    template <class Shown, class Read, class ToNodes, class Body, class Kernel>
+    void scatter_gathered(Body& body, Kernel kernel) {
+        auto& store = body.store();
+        each_tile_by_colour(store, [&](const tile& t) {
+            const weigh_type weigh(functions_, lattice_, t);
+            const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
+                gathered<S, Read> g;
+                gather<no_field>(lattice_, nodes_, st, t.node, g);
+                return g;
+            };
+            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
+                                         kernel);
+        });
     }
 
-    /// Gathers for every slot of a body: act(slot, occupied, frame, gathered). Particles that are in another cell then
-    /// are posted.
-    template <class Sums, class Gradient, class Body, class Act> void gather_each(Body& body, Act act) {
+    /// Gathers for every slot of a body: kernel(slot, occupied, frame, gathered). Particles that are in another cell
+    /// then are posted.
+    template <class Sums, class Gradient, class Body, class Kernel> void gather_each(Body& body, Kernel kernel) {
         auto& store = body.store();
         run_.for_each(store.slabs(), [&](std::size_t k) {
             store.each_tile(k, [&](std::size_t j) {
-                [[maybe_unused]] const bool left = gather_tile<Sums, Gradient>(store, store.tiles[j], act);
-                if constexpr (C::moves)
+                [[maybe_unused]] const bool left = gather_tile<Sums, Gradient>(store, store.tiles[j], kernel);
+                if constexpr (Moves)
                     if (left) [[unlikely]]
-                        post_leavers(store, k, j);
+                        post_leavers(store, lattice_, k, j);
             });
         });
     }
 
   private:
-    const shape& functions_;
+    const Shape& functions_;
     const lattice_type& lattice_;
-    const execution& run_;
+    const Execution& run_;
     nodes_type nodes_;
+
+    /// Slabs k and k + 2 share no node: even ones first, then odd ones, whatever the number of threads.
+    template <class Store, class F> void each_tile_by_colour(Store& store, const F& f) {
+        const std::size_t slabs = store.slabs();
+        for (std::size_t colour = 0; colour < 2 && colour < slabs; ++colour)
+            run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) {
+                store.each_tile(2 * k + colour, [&](std::size_t j) { f(store.tiles[j]); });
+            });
+    }
 
     template <class Shown, class Kernel>
     TAMIS_FLATTEN void node_blocks(const std::uint32_t* blocks, std::size_t count, Kernel& kernel) {
@@ -135,29 +118,9 @@ template <class C> class sweeps {
         }
     }
 
-    template <class Shown, class Read, class ToNodes, class Body, class Kernel>
-    void scatter_gathered(Body& body, Kernel kernel) {
-        auto& store = body.store();
-        const std::size_t slabs = store.slabs();
-        for (std::size_t colour = 0; colour < 2 && colour < slabs; ++colour)
-            run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) {
-                store.each_tile(2 * k + colour, [&](std::size_t j) {
-                    const tile& t = store.tiles[j];
-                    const tile_weights<C> weigh(functions_, lattice_, t);
-                    auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
-                        gathered<S, Read> g;
-                        gather<no_field>(lattice_, nodes_, st, t.node, g);
-                        return g;
-                    };
-                    scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at),
-                                                 weigh, make, kernel);
-                });
-            });
-    }
-
-    template <class Sums, class Gradient, class Store, class Act>
-    TAMIS_FLATTEN bool gather_tile(Store& store, const tile& t, Act& act) {
-        const tile_weights<C> weigh(functions_, lattice_, t);
+    template <class Sums, class Gradient, class Store, class Kernel>
+    TAMIS_FLATTEN bool gather_tile(Store& store, const tile& t, Kernel& kernel) {
+        const weigh_type weigh(functions_, lattice_, t);
         const frame<S> at = lattice_.frame_of(t.at);
         bool left = false;
         for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
@@ -166,9 +129,9 @@ template <class C> class sweeps {
             weigh(st, slot);
             gathered<S, Sums> g;
             gather<Gradient>(lattice_, nodes_, st, t.node, g);
-            act(slot, store.occupied[s], at, g);
+            kernel(slot, store.occupied[s], at, g);
             if (store.occupied[s] != Store::full) clear_empty(slot);
-            if constexpr (C::moves) left = left || may_have_left(slot, weigh);
+            if constexpr (Moves) left = left || weigh.may_have_left(slot);
         }
         return left;
     }
@@ -178,65 +141,6 @@ template <class C> class sweeps {
         const auto keep = slot.template get<field::mass>() > zero;
         auto* component = reinterpret_cast<T*>(&slot);
         for (int c = 0; c < Slot::components; ++c) component[c] = select(keep, component[c], zero);
-    }
-    static bool both(bool a, bool b) { return a && b; }
-    template <class Mask> TAMIS_INLINE static Mask both(const Mask& a, const Mask& b) { return a & b; }
-    /// True also for NaN.
-    template <class Slot> TAMIS_INLINE static bool may_have_left(const Slot& slot, const tile_weights<C>& weigh) {
-        const auto& r = slot.template get<field::position>();
-        const T zero(real(0)), one(real(1));
-        auto stays = both(r[0] >= zero, r[0] < one);
-        unroll<D - 1>([&](auto d) TAMIS_INLINE_LAMBDA { stays = both(stays, both(r[d + 1] >= zero, r[d + 1] < one)); });
-        if constexpr (shape::shift > 0)
-            if (weigh.at_wall)
-                unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA {
-                    const T shift = constant<T>(shape::shift);
-                    stays = both(stays, both(r[d] >= weigh.walls.low[d] * shift,
-                                             r[d] <= one - weigh.walls.high[d] * (one - shift)));
-                });
-        return lane<T>::any(!stays);
-    }
-
-    template <class Store> TAMIS_NOINLINE void post_leavers(Store& store, std::size_t slab, std::size_t index) {
-        tile& t = store.tiles[index];
-        constexpr int first = Store::slot::template first<field::position>();
-        for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
-            for (int l = 0; l < W; ++l) {
-                if (!(store.occupied[s] >> l & 1u)) continue;
-                real* const p = store.lane_of(s, l) + first * W;
-                const std::array<int, 3> from{t.at[0] * W + l, t.at[1], t.at[2]};
-                std::array<int, 3> cell = from;
-                point<D, real> local;
-                bool stays = true;
-                for (int d = 0; d < D; ++d) {
-                    local[d] = p[d * W];
-                    stays = stays && settle(local[d], cell[static_cast<std::size_t>(d)], lattice_.bins(d));
-                }
-                if (stays && lattice_.inside(cell, local))
-                    for (int d = 0; d < D; ++d) p[d * W] = local[d];
-                else
-                    cell[0] = Store::outside;
-                if (cell != from) store.post(slab, s, l, from, cell);
-            }
-        store.shrink(slab, t);
-    }
-    /// Brings a place into [0, 1) by going to a neighbouring cell; at the upper wall 1 stays. False if that is outside,
-    /// or if the place is not a number.
-    static bool settle(real& r, int& cell, int bins) {
-        if (!(r > real(-1000000) && r < real(1000000))) return false;
-        int k = lane<real>::floor(r);
-        real rest = r - real(k);
-        if (rest >= real(1)) {
-            rest = real(0);
-            ++k;
-        }
-        if (shape::shift == 0 && cell + k == bins && !(rest > real(0))) {
-            --k;
-            rest = real(1);
-        }
-        r = rest;
-        cell += k;
-        return cell >= 0 && cell < bins;
     }
 };
 

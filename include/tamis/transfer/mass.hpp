@@ -26,17 +26,37 @@ template <> class term_count<dynamic> {
     int terms_;
 };
 
+/// To = From.
+template <class From, class To> struct copy_field {
+    using list = fields<const From, To>;
+    TAMIS_INLINE void operator()(auto i) const { i[To{}] = i[From{}]; }
+};
+/// dv becomes A dv = dv - m^-1 S^T M S dv, and is added to `To`.
+template <class To> struct next_increment {
+    using list = fields<const field::inverse_mass, const field::image, field::increment, To>;
+    TAMIS_INLINE void operator()(auto i) const {
+        using namespace symbols;
+        i[dv] -= i[im] * i[Sdv];
+        i[To{}] += i[dv];
+    }
+};
+/// v_filtered = v + a dt.
+template <class T> struct add_acceleration {
+    using list = fields<const field::acceleration, const field::start_velocity, field::filtered_velocity>;
+    T dt;
+    TAMIS_INLINE void operator()(auto i) const {
+        using namespace symbols;
+        i[v_filtered] = i[v_start] + dt * i[a];
+    }
+};
+
 /// Adds A^l dv, 0 < l < k, to `To`, with A = I - S+ S and S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist
 /// 2021). By increments: the sum with alternating binomials is the same in exact arithmetic, but loses k log10(2)
 /// digits. `felt`: do particles feel what conditions take from the increments?
 template <class To, class Pass> void add_series(int terms, bool felt, Pass& pass) {
-    using namespace symbols;
     for (int l = 1; l < terms; ++l) {
         pass.spread_increment();
-        pass.nodes(fields<const field::inverse_mass, const field::image, field::increment, To>{}, [](auto i) {
-            i[dv] -= i[im] * i[Sdv];
-            i[To{}] += i[dv];
-        });
+        pass.nodes(next_increment<To>{});
         pass.template hold_increment<To>(felt);
     }
 }
@@ -60,11 +80,9 @@ template <int K> struct full_mass : detail::term_count<K> {
     void solve(auto& pass) const { filter<field::velocity>(true, pass); }
     /// The velocity at hand becomes v(k) in `To`.
     template <class To> void filter(bool felt, auto& pass) const {
-        using namespace symbols;
         if constexpr (full) {
-            pass.nodes(fields<const field::velocity, field::increment>{}, [](auto i) { i[dv] = i[v]; });
-            if constexpr (!std::same_as<To, field::velocity>)
-                pass.nodes(fields<const field::velocity, To>{}, [](auto i) { i[To{}] = i[v]; });
+            pass.nodes(detail::copy_field<field::velocity, field::increment>{});
+            if constexpr (!std::same_as<To, field::velocity>) pass.nodes(detail::copy_field<field::velocity, To>{});
             detail::add_series<To>(this->terms(), felt, pass);
         }
     }
@@ -79,12 +97,9 @@ template <int K> struct filtered_mass : detail::term_count<K> {
                            std::conditional_t<series, fields<field::increment, field::image>, fields<>>>;
     /// a becomes M^-1 p + a dt.
     void solve(auto& pass) const {
-        using namespace symbols;
-        const auto dt = pass.dt();
-        pass.nodes(fields<const field::acceleration, const field::start_velocity, field::filtered_velocity>{},
-                   [dt](auto i) { i[v_filtered] = i[v_start] + dt * i[a]; });
+        pass.nodes(detail::add_acceleration<decltype(pass.dt())>{pass.dt()});
         if constexpr (series) {
-            pass.nodes(fields<const field::start_velocity, field::increment>{}, [](auto i) { i[dv] = i[v_start]; });
+            pass.nodes(detail::copy_field<field::start_velocity, field::increment>{});
             detail::add_series<field::filtered_velocity>(this->terms(), true, pass);
         }
     }

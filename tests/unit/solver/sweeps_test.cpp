@@ -25,7 +25,15 @@ struct no_law {
     double wave_speed() const { return 1; }
     template <class Tensor> Tensor stress(auto, const Tensor& L, auto) const { return L; }
 };
-struct nothing {};
+struct mass_and_momentum {
+    static int make(const auto&, const auto&) { return 0; }
+    void operator()(auto p, auto near, int) const {
+        for (const auto& [i, w, dw] : near) {
+            i[m] += w * p[m];
+            i[mv] += w * p[m] * p[v];
+        }
+    }
+};
 
 /// Component d of a velocity that is linear in the place, and its slopes.
 double linear_velocity(const auto& at, int d) { return 3. + d + at[0] - 2 * at[at.size() - 1]; }
@@ -49,7 +57,7 @@ template <int Dim, class Shape, class Lanes> struct scene {
     detail::lattice<S, Shape> lattice{box<Dim>()};
     Shape functions{};
     serial run{};
-    detail::sweeps<C> sweeps{functions, lattice, run};
+    detail::sweeps<S, Shape, typename C::node_fields, serial, true> sweeps{functions, lattice, run};
 
     scene() {
         std::mt19937 random(5);
@@ -81,13 +89,7 @@ template <int Dim, class Shape, class Lanes> void transfers_are_complete() {
     CAPTURE(Dim, Shape::support, S::width);
     scene<Dim, Shape, Lanes> s;
     s.sweeps.template scatter<fields<const field::mass, const field::velocity>, fields<field::mass, field::momentum>>(
-        s.body, [](const auto&, const auto&, const auto&) { return nothing{}; },
-        [](auto p, auto near, auto) {
-            for (const auto& [i, w, dw] : near) {
-                i[m] += w * p[m];
-                i[mv] += w * p[m] * p[v];
-            }
-        });
+        s.body, mass_and_momentum{});
     // The nodes of the box have all mass, and its moments: sums of u . p over nodes are those of u . M V over
     // particles.
     double mass = 0, power = 0;

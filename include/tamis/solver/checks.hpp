@@ -1,0 +1,77 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/particles/body.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace tamis::detail {
+
+inline void check_step(double dt, double time, double end) {
+    if (!(dt > 0 && std::isfinite(dt)))
+        throw error(sentence("step: the time step is ", dt, "; give a positive, finite number"));
+    if (!(end > time && std::isfinite(end)))
+        throw error(sentence("step: it would end at t = ", end, ", and the time is ", time,
+                             " already; give a later, finite end, or a longer step"));
+}
+
+/// No body may be given twice.
+template <std::size_t N> void check_different(const std::array<const void*, N>& places) {
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (places[i] == places[j]) throw error("step: the same body is given twice; name each body once");
+}
+
+/// Particles that a user could have changed must still make sense.
+template <class Body, class Grid> void check_particles(const Body& b, const Grid& grid, long steps, double time) {
+    using namespace symbols;
+    using real = typename Body::real;
+    const auto& other = b.lattice().grid();
+    bool same = other.lower() == grid.lower() && other.upper() == grid.upper();
+    for (int d = 0; d < Body::dim; ++d) same = same && other.cells(d) == grid.cells(d);
+    if (!same) throw error("step: a body was made on another grid; make it with this solver's make_body");
+    long k = 0;
+    for (const auto p : b) {
+        const auto bad = [&](const std::string& why) {
+            return error(
+                sentence("particle ", k, " at (", list_of(p[x]), "), step ", steps, ", t = ", time, ": ", why));
+        };
+        const auto usable = [](const real& number) { return number > real(0) && number - number == real(0); };
+        if (!usable(p[m])) throw bad(sentence("its mass is ", p[m], "; give a positive density"));
+        if (!usable(p[V])) throw bad(sentence("its volume is ", p[V], "; give a positive, finite number"));
+        for (int d = 0; d < Body::dim; ++d)
+            if (p[v][d] - p[v][d] != real(0)) throw bad("its velocity is not finite; check the initial velocity");
+        if constexpr (requires { b.law.check(p); }) {
+            try {
+                b.law.check(p);
+            } catch (const error& e) {
+                throw bad(e.what());
+            }
+        }
+        ++k;
+    }
+}
+
+/// Which blocks of W nodes particles reach.
+struct block_marks {
+    std::vector<char> reached;
+    std::size_t width;
+    block_marks(std::size_t nodes, int w)
+        : reached(nodes / static_cast<std::size_t>(w) + 2, 0), width(static_cast<std::size_t>(w)) {}
+};
+template <class Lattice> void mark_reached(const std::vector<tile>& tiles, const Lattice& lattice, block_marks& on) {
+    for (const tile& t : tiles)
+        for (int r = 0; r < Lattice::rows; ++r) {
+            const std::size_t first = (t.node + lattice.row_offset(r)) / on.width;
+            for (std::size_t k = 0; k <= (on.width + Lattice::N - 2) / on.width; ++k) on.reached[first + k] = 1;
+        }
+}
+inline std::vector<std::uint32_t> marked(const block_marks& on) {
+    std::vector<std::uint32_t> blocks;
+    for (std::size_t k = 0; k < on.reached.size(); ++k)
+        if (on.reached[k]) blocks.push_back(static_cast<std::uint32_t>(k));
+    return blocks;
+}
+
+}  // namespace tamis::detail

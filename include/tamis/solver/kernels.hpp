@@ -1,0 +1,148 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/core/names.hpp>
+#include <tamis/solver/motion.hpp>
+#include <tamis/transfer/body_load.hpp>
+#include <tamis/transfer/strain.hpp>
+
+// What the passes of a step do to a particle or a node. Named types, not lambdas inside the solver: compositions that
+// need the same pass share its code.
+namespace tamis::detail {
+
+/// 1/m, and 0 where there is no mass, or so little that its inverse is no number.
+template <class T> TAMIS_INLINE T inverse_or_zero(const T& mass) {
+    using real = typename lane<T>::real;
+    const T one(real(1));
+    const auto enough = mass >= T(least_mass<real>());
+    const T inverse_of = one / select(enough, mass, one);
+    return select(enough, inverse_of, T(real(0)));
+}
+
+/// Nothing is the same for every node around a particle.
+struct nothing {};
+
+/// m = S^T M.
+struct mass_to_nodes {
+    TAMIS_INLINE static nothing make(const auto&, const auto&) { return {}; }
+    TAMIS_INLINE void operator()(auto p, auto near, const nothing&) const {
+        using namespace symbols;
+        for (const auto& [i, w, dw] : near) i[m] += w * p[m];
+    }
+};
+
+/// Particles to nodes: mass, momentum, force, as far as they are wanted.
+template <class S, class Shape, class Load, bool Mass, bool Momentum, bool Force> struct to_nodes {
+    static constexpr bool loaded = Force && !requires { requires Load::never; };
+    /// What is the same for every node around a particle: M V, V0 tau and M b.
+    struct carried {
+        typename S::vector momentum;
+        symmetric_field::value<S> stress;
+        typename S::vector load;
+    };
+    const Load& load;
+    double time;
+
+    template <class Slot> TAMIS_INLINE carried make(const Slot& slot, [[maybe_unused]] const frame<S>& at) const {
+        const auto& mass = slot.template get<field::mass>();
+        carried of;
+        if constexpr (Momentum) of.momentum = slot.template get<field::velocity>() * mass;
+        if constexpr (Force) of.stress = slot.template get<field::stress>() * slot.template get<field::volume>();
+        if constexpr (loaded) of.load = acceleration_of<S, Shape>(load, slot, at, time) * mass;
+        return of;
+    }
+    TAMIS_INLINE void operator()(auto p, auto near, const carried& of) const {
+        using namespace symbols;
+        for (const auto& [i, w, dw] : near) {
+            if constexpr (Mass) i[m] += w * p[m];
+            if constexpr (Momentum) i[mv] += w * of.momentum;
+            if constexpr (Force) i[f] -= unpack<S>(of.stress) * dw;
+            if constexpr (loaded) i[f] += w * of.load;
+        }
+    }
+};
+
+/// SdV = S^T M S dv.
+struct spread {
+    TAMIS_INLINE void operator()(auto p, auto near, const auto& dv_p) const {
+        using namespace symbols;
+        for (const auto& [i, w, dw] : near) i[Sdv] += w * p[m] * dv_p.sums.template get<field::increment>();
+    }
+};
+
+/// m becomes 1/m.
+struct invert_mass {
+    using list = fields<const field::mass, field::inverse_mass>;
+    TAMIS_INLINE void operator()(auto i) const {
+        using namespace symbols;
+        i[im] = inverse_or_zero(i[m]);
+    }
+};
+
+/// p becomes v; m becomes 1/m first where it is new.
+template <bool MassIsNew> struct velocity_of_momentum {
+    using list = typename concatenate<fields_if<MassIsNew, const field::mass, field::inverse_mass>,
+                                      fields_if<!MassIsNew, const field::inverse_mass>,
+                                      fields<const field::momentum, field::velocity>>::type;
+    TAMIS_INLINE void operator()(auto i) const {
+        using namespace symbols;
+        if constexpr (MassIsNew) i[im] = inverse_or_zero(i[m]);
+        i[v] = i[mv] * i[im];
+    }
+};
+
+/// f and v become a and v+; before that p becomes v and m becomes 1/m, where they are still to. `Keep`: v is kept.
+template <class T, bool MassIsNew, bool FromMomentum, bool Keep> struct accelerate {
+    T dt;
+    TAMIS_INLINE void operator()(auto i) const {
+        using namespace symbols;
+        if constexpr (MassIsNew) i[im] = inverse_or_zero(i[m]);
+        if constexpr (FromMomentum) i[v] = i[mv] * i[im];
+        if constexpr (Keep) i[v_start] = i[v];
+        i[a] = i[f] * i[im];
+        i[v] += dt * i[a];
+    }
+    using list =
+        typename concatenate<fields_if<MassIsNew, const field::mass, field::inverse_mass>,
+                             fields_if<!MassIsNew, const field::inverse_mass>,
+                             fields_if<FromMomentum, const field::momentum>, fields_if<Keep, field::start_velocity>,
+                             fields<const field::force, field::acceleration, field::velocity>>::type;
+};
+
+/// The gathered gradient strains the particles, which then move if they are to.
+template <class S, class Law, bool Move> struct strain_particles {
+    const Law& law;
+    typename S::scalar dt;
+    template <class Slot>
+    TAMIS_INLINE void operator()(Slot& slot, std::uint32_t occupied, const frame<S>& at, const auto& g) const {
+        strain_slot<S>(law, slot, occupied, at, g.gradient, dt);
+        if constexpr (Move)
+            slot.template get<field::position>() +=
+                typename S::scalar(at.inverse_spacing) * slot.template get<field::displacement>();
+    }
+};
+
+/// Nodes to particles: V', X', and the strain where it uses the same velocities (`Strains`). `Gathers`: the node fields
+/// that the update reads.
+template <class S, class Law, class Update, class Gathers, bool Strains, where_to Moves> struct update_particles {
+    const Law& law;
+    const Update& update;
+    typename S::scalar dt, strain_dt;
+    template <class Slot, class Gathered> TAMIS_INLINE void operator()(Slot& slot,
+                                                                       [[maybe_unused]] std::uint32_t occupied,
+                                                                       const frame<S>& at, const Gathered& g) const {
+        const gathered_nodes<S, decltype(g.sums), Gathers> near{g.sums};
+        const typename S::vector before = slot.template get<field::velocity>();
+        const typename S::vector after = update.velocity(slot_row<S, Slot, on_particles_t<Update>>{slot, at}, near, dt);
+        slot.template get<field::velocity>() = after;
+        if constexpr (Strains) strain_slot<S>(law, slot, occupied, at, g.gradient, strain_dt);
+        if constexpr (Moves != where_to::nowhere) {
+            const typename S::vector moved = update.displacement(before, after, near, dt);
+            if constexpr (Moves == where_to::displacement)
+                slot.template get<field::displacement>() = moved;
+            else
+                slot.template get<field::position>() += typename S::scalar(at.inverse_spacing) * moved;
+        }
+    }
+};
+
+}  // namespace tamis::detail

@@ -1,0 +1,64 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/particles/tile.hpp>
+#include <tamis/solver/motion.hpp>
+
+#include <string>
+
+namespace tamis::detail {
+
+/// The step that is being done, for messages.
+struct step_stamp {
+    long step;
+    double time, dt;
+};
+
+/// A particle left the grid, or its place is not a number. True: it has a cell again; false: it is removed. The first
+/// failure is told in `failure`.
+template <class Slot, class Letter, class S, class Shape>
+TAMIS_NOINLINE bool settle_leaver(Letter& letter, const lattice<S, Shape>& lattice, leaving_stops::choice what,
+                                  const step_stamp& now, std::string& failure) {
+    using choice = leaving_stops::choice;
+    using real = typename S::real;
+    constexpr int px = Slot::template first<field::position>(), pv = Slot::template first<field::velocity>();
+    const auto& grid = lattice.grid();
+    point<S::dim, real> where, speed, inside, local;
+    bool finite = true;
+    for (int d = 0; d < S::dim; ++d) {
+        const real& r = letter.value[px + d];
+        const real low = grid.lower()[d], high = grid.upper()[d];
+        finite = finite && r - r == real(0);
+        const real cell = real(letter.from[static_cast<std::size_t>(d)]) - constant<real>(Shape::shift);
+        where[d] = low + grid.spacing() * (cell + r);
+        speed[d] = letter.value[pv + d];
+        inside[d] = where[d] >= low ? (where[d] <= high ? where[d] : high) : low;
+    }
+    if (finite && what == choice::remove) return false;
+    lattice.locate(inside, letter.cell, local);
+    for (int d = 0; d < S::dim; ++d) letter.value[px + d] = local[d];
+    if ((finite && what == choice::clamp) || !failure.empty()) return true;
+    failure = sentence("particle ", letter.origin, " (place in storage), step ", now.step, ", t = ", now.time, ": ");
+    const double cells = to_double(speed.norm()) * now.dt / to_double(grid.spacing());
+    if (!finite)
+        failure += sentence("its place is not a number (velocity ", list_of(speed),
+                            "). Likely causes: a time step above the stability limit (dt = ", now.dt,
+                            "), or a law, load or condition that gave one");
+    else
+        failure +=
+            sentence("it left the grid, to (", list_of(where), ") with velocity (", list_of(speed), "). Likely cause: ",
+                     cells > 0.5 ? "a time step above the stability limit, for it moves more than half a cell a step"
+                                 : "no condition keeps the body from that wall; enlarge the grid, hold the wall, or "
+                                   "choose leaving_clamps or leaving_removes");
+    return true;
+}
+
+/// Hands out a step's mail: how many particles went to another cell.
+template <class Store, class S, class Shape> std::size_t sort_mail(Store& store, const lattice<S, Shape>& lattice,
+                                                                   leaving_stops::choice what, const step_stamp& now,
+                                                                   std::string& failure) {
+    return store.sort_mail(lattice, [&](auto& letter) {
+        return settle_leaver<typename Store::slot>(letter, lattice, what, now, failure);
+    });
+}
+
+}  // namespace tamis::detail

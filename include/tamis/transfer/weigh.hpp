@@ -1,0 +1,52 @@
+#pragma once
+#include <tamis/particles/tile.hpp>
+#include <tamis/transfer/near.hpp>
+
+namespace tamis::detail {
+
+/// Weights of the particles of one tile: made from their places, or recalled where they are held.
+template <class S, class Shape, bool Moves> struct tile_weights {
+    const Shape& functions;
+    typename S::scalar inverse_spacing;
+    bool at_wall;
+    wall_lanes<S> walls;
+
+    tile_weights(const Shape& the_functions, const lattice<S, Shape>& lattice, const tile& t)
+        : functions(the_functions),
+          inverse_spacing(lattice.inverse_spacing()),
+          at_wall(Moves && lattice.at_wall(t.at)) {
+        if (at_wall) walls = lattice.walls_of(t.at);
+    }
+    template <class Slot> TAMIS_INLINE void operator()(stencil<S, Shape::support>& st, const Slot& slot) const {
+        if constexpr (Moves) {
+            st.set(functions, slot.template get<field::position>(), inverse_spacing);
+            if constexpr (ghosts < Shape >> 0)
+                if (at_wall) st.fold(walls);
+        } else
+            held_weights<Shape>::template recall<S>(st, slot.template get<held_weights<Shape>>(), inverse_spacing);
+    }
+    /// Has one of the slot's particles left its cell, or the grid? True also for a place that is not a number.
+    template <class Slot> TAMIS_INLINE bool may_have_left(const Slot& slot) const {
+        using T = typename S::scalar;
+        using real = typename S::real;
+        const auto& r = slot.template get<field::position>();
+        const T zero(real(0)), one(real(1));
+        auto stays = both(r[0] >= zero, r[0] < one);
+        unroll<S::dim - 1>([&](auto d)
+                               TAMIS_INLINE_LAMBDA { stays = both(stays, both(r[d + 1] >= zero, r[d + 1] < one)); });
+        if constexpr (Shape::shift > 0)
+            if (at_wall)
+                unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
+                    const T shift = constant<T>(Shape::shift);
+                    stays =
+                        both(stays, both(r[d] >= walls.low[d] * shift, r[d] <= one - walls.high[d] * (one - shift)));
+                });
+        return lane<T>::any(!stays);
+    }
+
+  private:
+    static bool both(bool a, bool b) { return a && b; }
+    template <class Mask> TAMIS_INLINE static Mask both(const Mask& a, const Mask& b) { return a & b; }
+};
+
+}  // namespace tamis::detail
