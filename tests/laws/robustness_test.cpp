@@ -214,7 +214,11 @@ TEST_CASE("bad numbers are answered with a sentence") {
                   integrate(mpm, bodies(a), {1, 1}, courant{0.2});
               }),
               "the end is not after the beginning"));
-    CHECK(has(message_of([&] { mpm.step(bodies(a), 0.01, -5); }), "give a later end"));
+    CHECK(has(message_of([&] { mpm.step(bodies(a), 0.01, -5); }), "give a later, finite end"));
+    const double infinite = std::numeric_limits<double>::infinity();
+    CHECK(has(message_of([&] { mpm.step(bodies(a), infinite); }), "the time step is inf; give a positive, finite"));
+    for (auto p : a) p[V] = infinite;
+    CHECK(has(message_of([&] { mpm.step(bodies(a), 0.01); }), "its volume is inf; give a positive, finite"));
     CHECK(has(message_of([&] { mpm.make_body(soft, everywhere, per_cell{1 << 30}); }), "give fewer"));
     CHECK(has(message_of([] { solver huge{uniform_grid{{0., 0., 0.}, {1., 1., 1.}, 1e-5}}; }), "GB of memory"));
 }

@@ -180,7 +180,7 @@ TEST_CASE("held_nodes: a condition that repeats another is no conflict") {
 TEST_CASE("held_nodes: conditions that disagree are refused, with the node's place, the time and the difference") {
     const std::string text = refusal(0.01, fixed{corner}, prescribed{corner, value(0.5, 0), place<2>(1, 0)});
     CAPTURE(text);
-    CHECK(names(text, "boundary conditions disagree", "node at (0 0)", "t = 0.05", "0.55", "disjoint"));
+    CHECK(names(text, "boundary conditions disagree", "node at (0, 0)", "t = 0.05", "0.55", "disjoint"));
     CHECK(names(
         refusal(0.01, prescribed{corner, value(0, 0), place<2>(1, 0)}, prescribed{corner, value(0, 0), place<2>(0, 1)},
                 prescribed{corner, value(1, 0), place<2>(0.6, 0.8)}),
@@ -196,7 +196,7 @@ TEST_CASE("held_nodes: conditions that come to disagree are refused then") {
 TEST_CASE("held_nodes: a normal that is no unit vector is refused, with the condition's number and its length") {
     const std::string text = refusal(0, fixed{corner}, slip{everywhere, place<2>(0, 2)});
     CAPTURE(text);
-    CHECK(names(text, "boundary condition 1", "normal at (0 0)", "length 2", "unit vector"));
+    CHECK(names(text, "boundary condition 1", "normal at (0, 0)", "length 2", "unit vector"));
     CHECK(names(refusal(0, slip{everywhere, place<2>(0, 0)}), "boundary condition 0", "length 0"));
     CHECK(names(refusal(0, slip{everywhere, place<2>(NAN, 0)}), "boundary condition 0", "length"));
 }
