@@ -1,6 +1,7 @@
 // What must hold when a solver is used in ways that its first user did not think of.
 #include <tamis/tamis.hpp>
 
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -217,7 +218,7 @@ TEST_CASE("bad numbers are answered with a sentence") {
     CHECK(has(message_of([&] { mpm.step(bodies(a), 0.01, -5); }), "give a later, finite end"));
     const double infinite = std::numeric_limits<double>::infinity();
     CHECK(has(message_of([&] { mpm.step(bodies(a), infinite); }), "the time step is inf; give a positive, finite"));
-    for (auto p : a) p[V] = infinite;
+    for (auto p : a) p[symbols::V] = infinite;
     CHECK(has(message_of([&] { mpm.step(bodies(a), 0.01); }), "its volume is inf; give a positive, finite"));
     CHECK(has(message_of([&] { mpm.make_body(soft, everywhere, per_cell{1 << 30}); }), "give fewer"));
     CHECK(has(message_of([] { solver huge{uniform_grid{{0., 0., 0.}, {1., 1., 1.}, 1e-5}}; }), "GB of memory"));
