@@ -10,10 +10,13 @@
 #include <tamis/shape/quadratic_spline.hpp>
 #include <tamis/material/linear_elastic.hpp>
 #include <tamis/boundary/conditions.hpp>
+#include <tamis/boundary/methods.hpp>
 #include <tamis/stress/order.hpp>
 #include <tamis/load/load.hpp>
 #include <tamis/particles/body.hpp>
 #include <tamis/transfer/schemes.hpp>
+#include <tamis/transfer/adaptive.hpp>
+#include <tamis/transfer/periodic.hpp>
 #include <tamis/solver/solver.hpp>
 #include <tamis/solver/initial.hpp>
 #include <tamis/solver/integrate.hpp>

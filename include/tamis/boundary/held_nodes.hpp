@@ -1,8 +1,11 @@
 #pragma once
 #include <tamis/boundary/conditions.hpp>
+#include <tamis/boundary/methods.hpp>
 #include <tamis/core/error.hpp>
 #include <tamis/grid/lattice.hpp>
 #include <tamis/grid/node_table.hpp>
+
+#include <Eigen/Cholesky>
 
 #include <cstdint>
 #include <limits>
@@ -22,11 +25,12 @@ template <int Dim, class Real> struct held_node {
 
 namespace detail {
 
-/// The incremental boundary method (numerics.md, section 6): held components of p/m take their values of t at once,
-/// those of p+/m the values of t + dt, and those of every further increment of the full mass matrix's series are zero.
+/// The nodes that conditions hold, and how they are held (numerics.md, section 6). By the default, incremental: held
+/// components of p/m take their values of t at once, those of p+/m the values of t + dt, and those of every further
+/// increment of the full mass matrix's series are zero.
 ///
 /// Conditions at one node are made orthonormal once; values follow by the same triangular map.
-template <class S, class Shape, class Boundary> class held_nodes {
+template <class S, class Shape, class Boundary, held_by How = held_by::increments> class held_nodes {
   public:
     using real = typename S::real;
     using lattice_type = lattice<S, Shape>;
@@ -44,7 +48,10 @@ template <class S, class Shape, class Boundary> class held_nodes {
             set_values(t);
             each([&](entry& e) {
                 if (masses_are_new) take_mass(nodes, e);
-                e.node.reaction = impose(nodes, e) * (constant<real>(share) * inverse_dt);
+                if constexpr (on_momentum(How))
+                    e.node.reaction = impose(nodes, e) * (constant<real>(share) * inverse_dt);
+                else
+                    e.node.reaction.setZero();
             });
         }
     }
@@ -54,6 +61,7 @@ template <class S, class Shape, class Boundary> class held_nodes {
         if constexpr (any) {
             each([](entry& e) { e.before = e.node.velocity; });
             set_values(t);
+            if constexpr (!on_momentum(How)) return;
             each([&](entry& e) {
                 if (!(e.mass > real(0))) return;
                 const vector p = get<field::momentum>(nodes, e.place) * (HoldsVelocity ? e.mass : real(1));
@@ -72,13 +80,13 @@ template <class S, class Shape, class Boundary> class held_nodes {
     template <class Nodes> void extrapolated(const Nodes& nodes, double t) {
         if constexpr (any) {
             set_values(t);
-            each([&](entry& e) { impose(nodes, e); });
+            if constexpr (on_momentum(How)) each([&](entry& e) { impose(nodes, e); });
         }
     }
     /// Held components of an increment become zero, in it and in the sum it was already added to.
     template <class Increment, class Sum, class Nodes>
     void increment(const Nodes& nodes, const real& inverse_dt, bool counts) {
-        if constexpr (any)
+        if constexpr (any && How == held_by::increments)
             each([&](entry& e) {
                 const vector dv = get<Increment>(nodes, e.place), sum = get<Sum>(nodes, e.place);
                 vector gone = vector::Zero();
@@ -87,6 +95,60 @@ template <class S, class Shape, class Boundary> class held_nodes {
                 put<Sum>(nodes, e.place, vector(sum - gone));
                 if (counts) e.node.reaction -= gone * (e.mass * inverse_dt);
             });
+    }
+
+    /// Keeps the nodes' lumped velocities, which the full mass matrix is about to change.
+    template <class Nodes> void remember(const Nodes& nodes) {
+        each([&](entry& e) { e.lumped = get<field::velocity>(nodes, e.place); });
+    }
+    /// Held components of a velocity take their values.
+    template <class To, class Nodes> void impose_velocity(const Nodes& nodes, const real& inverse_dt, bool counts) {
+        each([&](entry& e) {
+            if (!(e.mass > real(0))) return;
+            const vector u = get<To>(nodes, e.place), change = missing(e, u);
+            put<To>(nodes, e.place, vector(u + change));
+            if (counts) e.node.reaction += change * (e.mass * inverse_dt);
+        });
+    }
+    /// Puts into `Increment` (zero until now) the velocity that, by `How`, the conditions add to held nodes; `To` holds
+    /// the full mass matrix's result.
+    template <class Increment, class To, class Nodes>
+    void correct(const Nodes& nodes, const real& inverse_dt, bool counts) {
+        if constexpr (How == held_by::collected) solve_collected<To>(nodes);
+        each([&](entry& e) {
+            if (!(e.mass > real(0))) return;
+            vector change;
+            if constexpr (How == held_by::unlumped1)
+                change = missing(e, e.lumped);
+            else if constexpr (How == held_by::unlumped2)
+                change = missing(e, get<To>(nodes, e.place));
+            else if constexpr (How == held_by::partial)
+                change = missing(e, e.lumped) / (e.mass * inverse_(e.row, e.row));
+            else
+                change = e.lumped;
+            put<Increment>(nodes, e.place, change);
+            if (counts) e.node.reaction += change * (e.mass * inverse_dt);
+        });
+    }
+    /// Columns of M~_k^-1 at the held nodes, D of them at a time, one per component of `Increment`: first m^-1 e_i ...
+    int batches() {
+        rows_ = 0;
+        each([&](entry& e) { e.row = e.mass > real(0) ? rows_++ : -1; });
+        inverse_.setZero(rows_, rows_);
+        return (rows_ + D - 1) / D;
+    }
+    template <class Increment, class Nodes> void start_columns(const Nodes& nodes, int batch) {
+        each([&](entry& e) {
+            if (e.row >= 0 && e.row / D == batch)
+                nodes.template column<Increment>(e.row % D)[e.place] = real(1) / e.mass;
+        });
+    }
+    /// ... then, term by term, what the series adds.
+    template <class Increment, class Nodes> void add_columns(const Nodes& nodes, int batch) {
+        each([&](entry& e) {
+            for (int d = 0; d < D && e.row >= 0 && batch * D + d < rows_; ++d)
+                inverse_(e.row, batch * D + d) += nodes.template column<Increment>(d)[e.place];
+        });
     }
 
     /// Masses of held nodes, where they do not change from step to step.
@@ -143,7 +205,8 @@ template <class S, class Shape, class Boundary> class held_nodes {
         std::array<int, static_cast<std::size_t>(D)> source{};  // index into given_
         std::array<real, static_cast<std::size_t>(D)> value{};
         real mass{};
-        vector before = vector::Zero();
+        vector before = vector::Zero(), lumped = vector::Zero();
+        int row = -1;  // of inverse_
         held_node<D, real> node;
     };
     struct given {
@@ -163,6 +226,8 @@ template <class S, class Shape, class Boundary> class held_nodes {
     std::vector<std::uint32_t> active_;  // of entries_
     double values_at_ = std::numeric_limits<double>::quiet_NaN();
     sum_type work_{0};
+    Eigen::Matrix<real, Eigen::Dynamic, Eigen::Dynamic> inverse_;
+    int rows_ = 0;
 
     static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
     template <class F> void each(F f) {
@@ -189,6 +254,48 @@ template <class S, class Shape, class Boundary> class held_nodes {
             change += (e.mass * e.value[at(k)] - e.normal[at(k)].dot(before)) * e.normal[at(k)];
         put<field::momentum>(nodes, e.place, vector(before + change));
         return change;
+    }
+    /// What a velocity's held components lack.
+    static vector missing(const entry& e, const vector& u) {
+        vector change = vector::Zero();
+        for (int k = 0; k < e.directions; ++k) change += (e.value[at(k)] - e.normal[at(k)].dot(u)) * e.normal[at(k)];
+        return change;
+    }
+    /// Impulses j of all held nodes with [M~_k^-1] j = b - v on held components; leaves j/m in `lumped`.
+    template <class To, class Nodes> void solve_collected(const Nodes& nodes) {
+        struct held_direction {
+            const entry* node;
+            vector normal;
+            real wanted;
+        };
+        std::vector<held_direction> all;
+        each([&](entry& e) {
+            const vector u = get<To>(nodes, e.place);
+            for (int k = 0; k < e.directions && e.row >= 0; ++k)
+                all.push_back({&e, e.normal[at(k)], e.value[at(k)] - e.normal[at(k)].dot(u)});
+        });
+        const auto n = static_cast<Eigen::Index>(all.size());
+        Eigen::Matrix<real, Eigen::Dynamic, Eigen::Dynamic> system(n, n);
+        Eigen::Matrix<real, Eigen::Dynamic, 1> right(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const held_direction& a = all[static_cast<std::size_t>(i)];
+            right[i] = a.wanted;
+            for (Eigen::Index j = 0; j < n; ++j) {
+                const held_direction& b = all[static_cast<std::size_t>(j)];
+                system(i, j) = a.normal.dot(b.normal) * inverse_(a.node->row, b.node->row);
+            }
+        }
+        const Eigen::LLT<Eigen::Matrix<real, Eigen::Dynamic, Eigen::Dynamic>> factors(system);
+        if (n > 0 && factors.info() != Eigen::Success)
+            throw error(
+                "boundary_method::collected: the held nodes' part of the mass matrix's inverse is singular; take "
+                "boundary_method::incremental, or more particles per cell");
+        const Eigen::Matrix<real, Eigen::Dynamic, 1> impulse = factors.solve(right);
+        each([](entry& e) { e.lumped.setZero(); });
+        for (Eigen::Index i = 0; i < n; ++i) {
+            entry& e = entries_[static_cast<std::size_t>(all[static_cast<std::size_t>(i)].node - entries_.data())];
+            e.lumped += impulse[i] / e.mass * all[static_cast<std::size_t>(i)].normal;
+        }
     }
     vector velocity_of(int condition, const vector& where, double t) const {
         vector u = vector::Zero();

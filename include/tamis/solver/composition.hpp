@@ -14,7 +14,19 @@
 
 namespace tamis::detail {
 
-enum class role { shape, transfer, stress_order, boundary, load, motion, execution, lanes, leaving, none };
+enum class role {
+    shape,
+    transfer,
+    stress_order,
+    boundary,
+    boundary_method,
+    load,
+    motion,
+    execution,
+    lanes,
+    leaving,
+    none
+};
 
 template <class P>
 concept TransferScheme = requires(const P& p) {
@@ -22,6 +34,10 @@ concept TransferScheme = requires(const P& p) {
     typename P::update_type;
     p.mass;
     p.particle;
+};
+template <class P>
+concept BoundaryMethod = requires {
+    { P::how } -> std::convertible_to<held_by>;
 };
 template <class P>
 concept Motion = requires {
@@ -46,6 +62,8 @@ template <class P, class Point> consteval role role_of() {
         return role::stress_order;
     else if constexpr (is_conditions<P> || BoundaryCondition<P, Point>)
         return role::boundary;
+    else if constexpr (BoundaryMethod<P>)
+        return role::boundary_method;
     else if constexpr (BodyLoad<P, Point>)
         return role::load;
     else if constexpr (Motion<P>)
@@ -85,7 +103,8 @@ template <class P, class Point> struct is_policy {
     static_assert(
         role_v<P, Point> != role::none,
         "tamis: an argument of solver{...} is no policy: it has the members of none of shape, transfer, stress "
-        "order, boundary condition, load, motion, execution, lanes, leaving; compare it with docs/concepts.md");
+        "order, boundary condition, boundary method, load, motion, execution, lanes, leaving; compare it with "
+        "docs/concepts.md");
     static constexpr bool value = role_v<P, Point> != role::none;
 };
 
@@ -101,6 +120,7 @@ template <class Grid, class... P> struct composition {
     using transfer = typename by_role<role::transfer, flip>::type;
     using order = typename by_role<role::stress_order, usl_minus>::type;
     using boundary = typename by_role<role::boundary, unbounded>::type;
+    using method = typename by_role<role::boundary_method, boundary_method::incremental>::type;
     using load = typename by_role<role::load, unloaded>::type;
     using motion = typename by_role<role::motion, moving>::type;
     using execution = typename by_role<role::execution, serial>::type;
@@ -110,6 +130,16 @@ template <class Grid, class... P> struct composition {
     using S = space<dim, typename lane_policy::template type<real>>;
     using mass = typename transfer::mass_type;
     using update = typename transfer::update_type;
+
+    static_assert(mass::full || method::how == held_by::increments,
+                  "tamis: boundary methods differ only for a full mass matrix; give fmpm<k> with k > 1 (or "
+                  "fmpm<dynamic>), or leave the method out");
+
+    /// An exact inverse has no increments: conditions are met by a solve for all of them.
+    static constexpr held_by how = requires { requires mass::exact; }
+    ? held_by::collected : method::how;
+    static_assert(method::how == how || method::how == held_by::increments,
+                  "tamis: with an exact mass matrix conditions hold exactly; leave the boundary method out");
 
     static constexpr bool moves = motion::moves;
     static constexpr bool loaded = !requires { requires load::never; };

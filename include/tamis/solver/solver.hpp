@@ -16,6 +16,12 @@
 
 namespace tamis {
 
+/// How far the series of the full mass matrix went: its terms, and sqrt(sum m dv^2 / sum m) of the last one (m/s).
+struct series_report {
+    int terms = 0;
+    double last_increment = 0;
+};
+
 /// One composed step. Policies come in any order after the grid; those left out take their defaults (quadratic_spline,
 /// flip, usl_minus, unbounded, unloaded, moving, serial, native_lanes, leaving_stops).
 ///
@@ -61,6 +67,9 @@ template <class Grid, class... Policies> class solver {
     double boundary_work() const { return held_.work(); }
     /// Particles that went to another cell, since the start.
     std::size_t crossings() const { return crossings_; }
+    /// Terms of the full mass matrix's series that the last step took, and the size of the last one; 0 unless the
+    /// scheme looks (`adaptive_fmpm`).
+    const series_report& series() const { return series_; }
     const typename C::transfer& scheme() const { return transfer_; }
     const typename C::shape& functions() const { return shape_; }
     const typename C::load& load() const { return load_; }
@@ -110,6 +119,7 @@ template <class Grid, class... Policies> class solver {
                       "this one steps; make it with this solver's make_body");
         detail::check_step(detail::to_double(dt), time_, end);
         prepare(all);
+        if constexpr (requires { transfer_.begin_step(steps_); }) transfer_.begin_step(steps_);
         auto& nodes = sweeps_.nodes();
         const real inverse_dt = real(1) / dt;
         stage<Body...> now{*this, all, dt, inverse_dt};
@@ -123,7 +133,7 @@ template <class Grid, class... Policies> class solver {
             now.template extrapolate<true, false>();
             held_.start(nodes, held_start, C::moves, inverse_dt, share);
             now.velocity_of_momentum();
-            if constexpr (C::filters_first) transfer_.mass.template filter<field::strain_velocity>(false, now);
+            if constexpr (C::filters_first) now.template full_velocity<field::strain_velocity>(false);
             now.template strain<typename C::strains_before, false>(real(order::before) * dt);
             nodes.template set_zero<field::force>();
             now.template extrapolate<false, true>();
@@ -135,7 +145,7 @@ template <class Grid, class... Policies> class solver {
             held_.start(nodes, held_start, C::moves, inverse_dt, share);
             if constexpr (C::filters_first) {
                 now.velocity_of_momentum();
-                transfer_.mass.template filter<field::strain_velocity>(false, now);
+                now.template full_velocity<field::strain_velocity>(false);
                 held_.template forces<true>(nodes, held_end, inverse_dt);
                 now.template accelerate<false>();
             } else {
@@ -143,7 +153,10 @@ template <class Grid, class... Policies> class solver {
                 now.template accelerate<true>();
             }
         }
-        transfer_.mass.solve(now);
+        if constexpr (C::mass::full)
+            now.template full_velocity<field::velocity>(true);
+        else
+            transfer_.mass.solve(now);
         held_.finish(dt);
         now.update_particles();
         if constexpr (C::remaps) {
@@ -151,13 +164,14 @@ template <class Grid, class... Policies> class solver {
             now.template extrapolate<true, false, false>();
             held_.extrapolated(nodes, held_end);
             now.velocity_of_extrapolated();
-            if constexpr (C::mass::full) transfer_.mass.template filter<field::velocity>(false, now);
+            if constexpr (C::mass::full) now.template full_velocity<field::velocity>(false);
             now.template strain<field::velocity, C::moves>(real(order::after) * dt);
         }
         previous_ = time_;
         time_ = end;
         ++steps_;
         if constexpr (C::moves) {
+            weights_.renew();
             std::string failure;
             std::apply([&](auto&... b) { (deliver(b, detail::to_double(dt), failure), ...); }, all);
             if (!failure.empty()) throw error(failure);
@@ -175,10 +189,12 @@ template <class Grid, class... Policies> class solver {
     typename C::execution run_;
     lattice_type lattice_;
     sweeps_type sweeps_;
-    detail::held_nodes<S, typename C::shape, typename C::boundary> held_;
+    detail::held_nodes<S, typename C::shape, typename C::boundary, C::how> held_;
     double start_ = 0, previous_ = 0, time_ = 0;  // of the run, of the last step's start, now
     long steps_ = 0;
     std::size_t crossings_ = 0;
+    series_report series_;
+    detail::stamp weights_;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared
 
     template <detail::role R, class Default> static auto pick(const std::tuple<Policies...>& all) {
@@ -223,6 +239,7 @@ template <class Grid, class... Policies> class solver {
             held_.take_masses(sweeps_.nodes());
             sweeps_.each_node(detail::invert_mass::list{}, detail::invert_mass{});
         }
+        weights_.renew();
         // Last: what threw is looked at again.
         seen_.assign(now.begin(), now.end());
     }
@@ -254,6 +271,66 @@ template <class Grid, class... Policies> class solver {
         template <class Sum> void hold_increment(bool felt) {
             mpm.held_.template increment<field::increment, Sum>(mpm.sweeps_.nodes(), inverse_dt, felt);
         }
+
+        /// The lumped velocity becomes the full one in `To`, conditions by the composed method. `felt`: do particles
+        /// take it, so that what conditions do is a reaction?
+        template <class To> void full_velocity(bool felt) {
+            using detail::held_by;
+            constexpr held_by how = C::how;
+            const auto& mass = mpm.transfer_.mass;
+            if constexpr (how == held_by::increments || how == held_by::lumped || !decltype(mpm.held_)::any)
+                mass.template filter<To>(felt, *this);
+            else {
+                auto& held = mpm.held_;
+                auto& nodes_of = mpm.sweeps_.nodes();
+                held.remember(nodes_of);
+                mass.template filter<To>(felt, *this);
+                if constexpr (how == held_by::velocity || how == held_by::combined) {
+                    held.template impose_velocity<To>(nodes_of, inverse_dt, felt);
+                    return;
+                }
+                static_assert(
+                    requires { mass.template series<To>(felt, *this); },
+                    "tamis: this boundary method needs a mass matrix whose inverse has a fixed number of terms; give "
+                    "fmpm<k>, or boundary_method::incremental");
+                if constexpr (by_columns(how)) find_columns();
+                nodes_of.template set_zero<field::increment>();
+                held.template correct<field::increment, To>(nodes_of, inverse_dt, felt);
+                if constexpr (how == held_by::unlumped1 || how == held_by::unlumped2) {
+                    spread_increment();
+                    nodes(detail::image_to_increment{});
+                }
+                nodes(detail::add_increment<To>{});
+                mass.template series<To>(felt, *this);
+            }
+        }
+        void find_columns() {
+            auto& held = mpm.held_;
+            auto& nodes_of = mpm.sweeps_.nodes();
+            for (int batch = 0, n = held.batches(); batch < n; ++batch) {
+                nodes_of.template set_zero<field::increment>();
+                held.template start_columns<field::increment>(nodes_of, batch);
+                mpm.transfer_.mass.each_term(*this,
+                                             [&] { held.template add_columns<field::increment>(nodes_of, batch); });
+            }
+        }
+        /// For mass policies that assemble the matrix: a number that changes when weights may have changed; the number
+        /// of node places; f(i, j, S_pi M_p S_pj) for all particles and places of nodes around them; a field's columns.
+        std::uint64_t weights_stamp() const { return mpm.weights_.number(); }
+        std::size_t places() const { return mpm.lattice_.size(); }
+        template <class F> void each_weight_pair(F f) {
+            each_body([&](auto& b) { mpm.sweeps_.each_weight_pair(b, f); });
+        }
+        template <class Field, class F> void each_column(Field, F f) {
+            for (int c = 0; c < Field::template components<S>; ++c) f(mpm.sweeps_.nodes().template column<Field>(c));
+        }
+        /// sqrt(sum m dv^2 / sum m) over nodes (m/s).
+        double increment_size() {
+            using kernel = detail::increment_square<S>;
+            const auto sums = mpm.sweeps_.template sum_over_nodes<2>(typename kernel::list{}, kernel{});
+            return sums[0] > real(0) ? std::sqrt(detail::to_double(sums[1]) / detail::to_double(sums[0])) : 0;
+        }
+        void report(const series_report& series) { mpm.series_ = series; }
 
         /// Particles to nodes: mass (where it changes) and momentum; force.
         template <bool Momentum, bool Force, bool Mass = C::moves> void extrapolate() {

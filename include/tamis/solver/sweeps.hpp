@@ -34,6 +34,33 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         });
     }
 
+    /// Sums over all active nodes of the numbers that kernel(i) gives, in an order that does not depend on threads.
+    template <std::size_t Count, class... F, class Kernel>
+    std::array<real, Count> sum_over_nodes(fields<F...>, Kernel kernel) {
+        constexpr std::size_t chunk = 256;
+        const auto& active = nodes_.active();
+        const std::size_t chunks = (active.size() + chunk - 1) / chunk;
+        std::vector<std::array<T, Count>> parts(chunks);
+        run_.for_each(chunks, [&](std::size_t k) {
+            auto& part = parts[k];
+            part.fill(T(real(0)));
+            const auto add = [&](auto i) TAMIS_INLINE_LAMBDA {
+                const std::array<T, Count> more = kernel(i);
+                for (std::size_t c = 0; c < Count; ++c) part[c] += more[c];
+            };
+            node_blocks<fields<F...>>(active.data() + k * chunk, std::min(chunk, active.size() - k * chunk), add);
+        });
+        std::array<real, Count> total;
+        total.fill(real(0));
+        for (const auto& part : parts)
+            for (std::size_t c = 0; c < Count; ++c) {
+                real lanes_of_part[W];
+                lane<T>::store(lanes_of_part, part[c]);
+                for (int l = 0; l < W; ++l) total[c] += lanes_of_part[l];
+            }
+        return total;
+    }
+
     /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = kernel.make(slot,
     /// stencil, frame).
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter(Body& body, Kernel kernel) {
@@ -64,6 +91,29 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
                                          kernel);
         });
+    }
+
+    /// f(i, j, S_pi M_p S_pj) for every particle of a body and all storage places i, j of nodes around it; one thread.
+    template <class Body, class F> void each_weight_pair(const Body& body, F f) {
+        constexpr int D = S::dim, count = power(N, D);
+        const auto& store = body.store();
+        for (const tile& t : store.tiles) {
+            const weigh_type weigh(functions_, lattice_, t);
+            for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
+                stencil<S, N> st;
+                weigh(st, store.slots[s]);
+                real mass[W], weight[count][W];
+                lane<T>::store(mass, store.slots[s].template get<field::mass>());
+                for (int k = 0; k < count; ++k) lane<T>::store(weight[k], st.weight(k % N, st.row(k / N)));
+                const auto place = [&](int k, int l) {
+                    return t.node + lattice_.row_offset(k / N) + static_cast<std::size_t>(k % N + l);
+                };
+                for (int l = 0; l < W; ++l)
+                    for (int i = 0; i < count && (store.occupied[s] >> l & 1u); ++i)
+                        for (int j = 0; j < count; ++j)
+                            f(place(i, l), place(j, l), weight[i][l] * mass[l] * weight[j][l]);
+            }
+        }
     }
 
     /// Gathers for every slot of a body: kernel(slot, occupied, frame, gathered). Particles that are in another cell

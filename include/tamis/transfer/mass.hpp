@@ -1,6 +1,9 @@
 #pragma once
 #include <tamis/core/error.hpp>
+#include <tamis/core/lanes.hpp>
 #include <tamis/core/names.hpp>
+
+#include <array>
 
 namespace tamis {
 
@@ -40,6 +43,45 @@ template <class To> struct next_increment {
         i[To{}] += i[dv];
     }
 };
+/// dv becomes A dv, where nothing is summed.
+struct next_increment_alone {
+    using list = fields<const field::inverse_mass, const field::image, field::increment>;
+    TAMIS_INLINE void operator()(auto i) const {
+        using namespace symbols;
+        i[dv] -= i[im] * i[Sdv];
+    }
+};
+/// dv becomes m^-1 S^T M S dv.
+struct image_to_increment {
+    using list = fields<const field::inverse_mass, const field::image, field::increment>;
+    TAMIS_INLINE void operator()(auto i) const {
+        using namespace symbols;
+        i[dv] = i[im] * i[Sdv];
+    }
+};
+/// To += dv.
+template <class To> struct add_increment {
+    using list = fields<const field::increment, To>;
+    TAMIS_INLINE void operator()(auto i) const { i[To{}] += i[symbols::dv]; }
+};
+/// To -= dv.
+template <class To> struct subtract_increment {
+    using list = fields<const field::increment, To>;
+    TAMIS_INLINE void operator()(auto i) const { i[To{}] -= i[symbols::dv]; }
+};
+/// m and m dv^2 of nodes.
+template <class S> struct increment_square {
+    using list = fields<const field::inverse_mass, const field::increment>;
+    using T = typename S::scalar;
+    TAMIS_INLINE std::array<T, 2> operator()(auto i) const {
+        using namespace symbols;
+        using real = typename S::real;
+        const T zero(real(0)), one(real(1));
+        const auto takes_part = i[im] > zero;
+        const T m = select(takes_part, one / select(takes_part, i[im], one), zero);
+        return {m, m * i[dv].squaredNorm()};
+    }
+};
 /// v_filtered = v + a dt.
 template <class T> struct add_acceleration {
     using list = fields<const field::acceleration, const field::start_velocity, field::filtered_velocity>;
@@ -50,15 +92,17 @@ template <class T> struct add_acceleration {
     }
 };
 
-/// Adds A^l dv, 0 < l < k, to `To`, with A = I - S+ S and S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist
-/// 2021). By increments: the sum with alternating binomials is the same in exact arithmetic, but loses k log10(2)
-/// digits. `felt`: do particles feel what conditions take from the increments?
+/// `add_term`: A dv becomes dv and is added to `To`. `add_series`: so for all A^l dv, 0 < l < k, with A = I - S+ S and
+/// S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist 2021). By increments: the sum with alternating
+/// binomials is the same in exact arithmetic, but loses k log10(2) digits. `felt`: do particles feel what conditions
+/// take from the increments?
+template <class To, class Pass> void add_term(bool felt, Pass& pass) {
+    pass.spread_increment();
+    pass.nodes(next_increment<To>{});
+    pass.template hold_increment<To>(felt);
+}
 template <class To, class Pass> void add_series(int terms, bool felt, Pass& pass) {
-    for (int l = 1; l < terms; ++l) {
-        pass.spread_increment();
-        pass.nodes(next_increment<To>{});
-        pass.template hold_increment<To>(felt);
-    }
+    for (int l = 1; l < terms; ++l) add_term<To>(felt, pass);
 }
 
 }  // namespace detail
@@ -76,14 +120,23 @@ template <int K> struct full_mass : detail::term_count<K> {
     using on_nodes =
         std::conditional_t<full, fields<const field::inverse_mass, field::velocity, field::increment, field::image>,
                            fields<>>;
-    /// p+/m becomes v+(k).
-    void solve(auto& pass) const { filter<field::velocity>(true, pass); }
     /// The velocity at hand becomes v(k) in `To`.
     template <class To> void filter(bool felt, auto& pass) const {
         if constexpr (full) {
             pass.nodes(detail::copy_field<field::velocity, field::increment>{});
             if constexpr (!std::same_as<To, field::velocity>) pass.nodes(detail::copy_field<field::velocity, To>{});
-            detail::add_series<To>(this->terms(), felt, pass);
+            series<To>(felt, pass);
+        }
+    }
+    /// Adds to `To` the further terms of the series that begins with the increment at hand.
+    template <class To> void series(bool felt, auto& pass) const { detail::add_series<To>(this->terms(), felt, pass); }
+    /// The terms of M~_k^-1 m dv one after the other in dv, each shown by look().
+    template <class Look> void each_term(auto& pass, Look look) const {
+        look();
+        for (int l = 1; l < this->terms(); ++l) {
+            pass.spread_increment();
+            pass.nodes(detail::next_increment_alone{});
+            look();
         }
     }
 };

@@ -1,0 +1,47 @@
+#pragma once
+#include <tamis/transfer/mass.hpp>
+#include <tamis/transfer/schemes.hpp>
+
+#include <cmath>
+
+namespace tamis {
+
+/// The full mass matrix's series until its last term is small: the error of the inverse by k terms is A^k, and the
+/// size of the k-th term, |dv_k| = sqrt(sum m dv_k^2 / sum m), estimates it (numerics.md, section 3).
+class adaptive_mass {
+  public:
+    static constexpr bool full = true;
+    using on_nodes = fields<const field::inverse_mass, field::velocity, field::increment, field::image>;
+
+    adaptive_mass(double tolerance, int most) : tolerance_(tolerance), most_(most) {
+        if (!(tolerance >= 0 && std::isfinite(tolerance)))
+            throw error(detail::sentence("adaptive_fmpm: the tolerance is ", tolerance,
+                                         "; give a share of the lumped velocity, 0 or more"));
+        if (most < 1) throw error(detail::sentence("adaptive_fmpm: at most ", most, " terms; give 1 or more"));
+    }
+    template <class To> void filter(bool felt, auto& pass) const {
+        pass.nodes(detail::copy_field<field::velocity, field::increment>{});
+        if constexpr (!std::same_as<To, field::velocity>) pass.nodes(detail::copy_field<field::velocity, To>{});
+        const double first = pass.increment_size();
+        double last = first;
+        int terms = 1;
+        for (; terms < most_ && last > tolerance_ * first; ++terms) {
+            detail::add_term<To>(felt, pass);
+            last = pass.increment_size();
+        }
+        if (felt) pass.report({terms, last});
+    }
+
+  private:
+    double tolerance_;
+    int most_;
+};
+
+/// FMPM with as many terms as it takes for |dv_k| <= tolerance |dv_1|, `most` at most. `mpm.series()` tells how many
+/// the last step took, and |dv_k|. With tolerance 0 it is FMPM(most), and |dv_k| the estimate of its error.
+struct adaptive_fmpm : transfer<adaptive_mass, set_velocity_move_by_mean> {
+    static constexpr std::string_view name = "adaptive_fmpm";
+    adaptive_fmpm(double tolerance, int most) : transfer{adaptive_mass(tolerance, most), {}} {}
+};
+
+}  // namespace tamis

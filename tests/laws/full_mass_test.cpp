@@ -1,0 +1,143 @@
+// What the full mass matrix's variants have in common: adaptive, periodic and exact ones, and the boundary methods.
+#include <tamis/tamis.hpp>
+#include <tamis/transfer/exact.hpp>
+
+#include <cmath>
+#include <string>
+
+#include "catch.hpp"
+
+using namespace tamis;
+using namespace tamis::symbols;
+
+namespace {
+
+const linear_elastic law{.young = 1, .poisson = 0.3, .density = 1};
+constexpr double pi = 3.14159265358979323846;
+
+struct outcome {
+    std::vector<double> velocities;
+    double reach = 0, unbalanced = 0;
+    series_report series;
+};
+double difference(const outcome& a, const outcome& b) {
+    double most = 0;
+    REQUIRE(a.velocities.size() == b.velocities.size());
+    for (std::size_t k = 0; k < a.velocities.size(); ++k)
+        most = std::max(most, std::abs(a.velocities[k] - b.velocities[k]));
+    return most;
+}
+
+/// A bar between a fixed and a driven end, stepped; how far the held nodes are from their values, and the momentum from
+/// the impulse of the reactions.
+template <class... Policy> outcome driven_bar(int per, const Policy&... policies) {
+    const auto ends = conditions{fixed{[](const auto& at) { return at[0] <= 0; }},
+                                 prescribed{[](const auto& at) { return at[0] >= 1; },
+                                            [](const auto&, auto t) { return 0.01 * std::sin(10 * t); }}};
+    solver mpm{uniform_grid{{0.}, {1.}, 0.05}, ends, policies...};
+    auto bar = mpm.make_body(law, everywhere, per_cell{per});
+    set_velocity_of(bar, [](const auto& at) { return 0.01 * std::sin(pi * at[0]); });
+    outcome out;
+    double impulse = total_momentum(bar)[0];
+    const double dt = 0.01;
+    for (int k = 0; k < 60; ++k) {
+        mpm.step(bodies(bar), dt);
+        for (const auto& node : mpm.reactions()) impulse += node.reaction[0] * dt;
+    }
+    out.unbalanced = std::abs(total_momentum(bar)[0] - impulse);
+    for (const auto p : std::as_const(bar)) out.velocities.push_back(p[v][0]);
+    out.series = mpm.series();
+    return out;
+}
+
+/// A block between an inclined wall, a floor and a moving lid.
+template <class... Policy> double unbalanced_block(const Policy&... policies) {
+    using place = point<2, double>;
+    const place slope(std::cos(0.3), std::sin(0.3));
+    const auto walls =
+        conditions{slip{[](const auto& at) { return at[0] <= 0; }, slope},
+                   slip{[](const auto& at) { return at[1] <= 0; }, place(0, 1)},
+                   prescribed{[](const auto& at) { return at[1] >= 1 && at[0] > 0; },
+                              [](const auto&, auto t) { return place(0.01 * std::sin(5 * t), -0.01 * t); }}};
+    solver mpm{uniform_grid{{0., 0.}, {1., 1.}, 0.25}, walls, policies...};
+    auto block = mpm.make_body(
+        law, [](const auto& at) { return at[0] < 0.9; }, per_cell{3});
+    set_velocity_of(block, [](const auto& at) { return place(0.01 * at[1], -0.02 * at[0]); });
+    place impulse = total_momentum(block);
+    for (int k = 0; k < 40; ++k) {
+        mpm.step(bodies(block), 0.02);
+        for (const auto& node : mpm.reactions()) impulse += node.reaction * 0.02;
+    }
+    return (total_momentum(block) - impulse).norm();
+}
+
+template <class Method> void balances(const Method& method) {
+    CAPTURE(Method::name);
+    for (const int k : {1, 2, 5}) {
+        CAPTURE(k);
+        CHECK(driven_bar(2, linear{}, fmpm<dynamic>{k}, method).unbalanced < 1e-14);
+        CHECK(driven_bar(2, quadratic_spline{}, usavg_minus{}, fmpm<dynamic>{k}, method).unbalanced < 1e-14);
+        CHECK(driven_bar(3, usl_plus{}, fmpm<dynamic>{k}, method, held{}).unbalanced < 1e-14);
+    }
+    CHECK(unbalanced_block(fmpm<3>{}, method) < 1e-15);
+}
+
+}  // namespace
+
+TEST_CASE("full mass: adaptive, periodic and exact ones meet the plain series where they must") {
+    const auto plain = driven_bar(2, linear{}, fmpm<6>{});
+    const auto never_small = driven_bar(2, linear{}, adaptive_fmpm{0., 6});
+    CHECK(difference(plain, never_small) == 0);
+    CHECK(never_small.series.terms == 6);
+    CHECK(never_small.series.last_increment > 0);
+    const auto tolerant = driven_bar(2, linear{}, adaptive_fmpm{1e-3, 100});
+    CHECK(tolerant.series.terms > 1);
+    CHECK(tolerant.series.terms < 100);
+
+    CHECK(difference(driven_bar(2, fmpm<3>{}), driven_bar(2, periodic_fmpm<3>{1})) == 0);
+    CHECK(difference(driven_bar(2, fmpm<3>{}), driven_bar(2, periodic_fmpm<dynamic>{3, 1})) == 0);
+    // Between FLIP, which it mostly is, and FMPM.
+    CHECK(difference(driven_bar(2, flip{}), driven_bar(2, periodic_fmpm<3>{20})) <
+          difference(driven_bar(2, flip{}), driven_bar(2, periodic_fmpm<3>{2})));
+    CHECK(driven_bar(2, periodic_fmpm<3>{7}).unbalanced < 1e-14);
+}
+
+TEST_CASE("full mass: by increments the series is stable to k = 1000, where it meets the exact solve") {
+    for (const int per : {2, 3}) {
+        const auto exact = driven_bar(per, linear{}, exact_fmpm{}, held{});
+        CHECK(difference(exact, driven_bar(per, linear{}, fmpm<dynamic>{1000}, held{})) < 1e-13);
+        CHECK(exact.unbalanced < 1e-14);
+    }
+    const auto exact = driven_bar(3, exact_fmpm{}, usavg_plus{});
+    CHECK(difference(exact, driven_bar(3, fmpm<dynamic>{1000}, usavg_plus{})) < 1e-9);
+    CHECK(exact.unbalanced < 1e-14);
+    CHECK(unbalanced_block(exact_fmpm{}, linear{}) < 1e-14);
+}
+
+TEST_CASE("full mass: every boundary method tells the reaction that balances momentum") {
+    using namespace boundary_method;
+    balances(incremental{});
+    balances(boundary_method::lumped{});
+    balances(boundary_method::velocity{});
+    balances(combined{});
+    balances(unlumped1{});
+    balances(unlumped2{});
+    balances(partial{});
+    balances(collected{});
+}
+
+TEST_CASE("full mass: bad parameters and a singular matrix get a sentence") {
+    const auto message = [](auto&& action) -> std::string {
+        try {
+            action();
+        } catch (const error& e) {
+            return e.what();
+        }
+        return "nothing was thrown";
+    };
+    const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+    CHECK(has(message([] { adaptive_fmpm{-1., 4}; }), "the tolerance is -1; give a share"));
+    CHECK(has(message([] { adaptive_fmpm{0.1, 0}; }), "at most 0 terms; give 1 or more"));
+    CHECK(has(message([] { periodic_fmpm<2>{0}; }), "the period is 0 steps; give 1 or more"));
+    CHECK(has(message([] { driven_bar(1, linear{}, exact_fmpm{}); }), "is singular"));
+}
