@@ -33,6 +33,37 @@ class held_nodes {
                 }
             }
         }
+        const Eigen::Index nodes = set.node_count();
+        rows_.setZero(static_cast<Eigen::Index>(entries_.size()), nodes * set.dimension());
+        mass_.resize(rows_.rows());
+        for (Eigen::Index e = 0; e < rows_.rows(); ++e) {
+            const entry& held = entries_[static_cast<std::size_t>(e)];
+            mass_[e] = shapes.mass[held.node];
+            for (Eigen::Index d = 0; d < set.dimension(); ++d)
+                rows_(e, d * nodes + held.node) = held.direction.normal[d];
+        }
+    }
+
+    /// N: one row for each held direction of a node, so that N u are the held components of a nodal field u whose
+    /// components follow one another, each with all nodes. N N^T = I.
+    const Eigen::MatrixXd& rows() const { return rows_; }
+    /// Lumped mass of each row's node.
+    const Eigen::VectorXd& mass() const { return mass_; }
+    /// b: the held values at t.
+    Eigen::VectorXd values(double t) const {
+        Eigen::VectorXd b(rows_.rows());
+        for (Eigen::Index e = 0; e < b.size(); ++e) {
+            const entry& held = entries_[static_cast<std::size_t>(e)];
+            b[e] = held.direction.value(held.at, t);
+        }
+        return b;
+    }
+    /// N u of a field (nodes x D).
+    Eigen::VectorXd along(const Eigen::MatrixXd& field) const { return rows_ * field.reshaped(); }
+    /// N^T j: the field (nodes x D) with the held components j and nothing else.
+    Eigen::MatrixXd spread(const Eigen::VectorXd& components, Eigen::Index dimension) const {
+        const Eigen::VectorXd field = rows_.transpose() * components;
+        return field.reshaped(field.size() / dimension, dimension);
     }
 
     /// Nodal velocities (nodes x D) with the held components set to their values at t.
@@ -61,6 +92,8 @@ class held_nodes {
         held_direction direction;
     };
     std::vector<entry> entries_;
+    Eigen::MatrixXd rows_;
+    Eigen::VectorXd mass_;
 };
 
 }  // namespace reference

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -14,21 +15,34 @@ namespace reference {
 enum class update_kind { pic, flip, blend, graphics_blend, xpic, fmpm };
 enum class stress_order { usf, usl_minus, usl_plus, usavg_minus, usavg_plus, euler };
 enum class motion { moving, held };
+enum class law_kind { linear_elastic, neo_hookean };
 
-/// A particle update and its number: psi for FLIP, alpha for the blends, k for XPIC and FMPM.
+/// How held velocities enter a full mass matrix: boundary.hpp.
+enum class boundary_method { incremental, lumped, velocity, combined, unlumped1, unlumped2, partial, collected };
+
+/// k of the full mass matrix solved exactly, k -> infinity.
+inline constexpr int exact_solve = std::numeric_limits<int>::max();
+
+/// A particle update and its number: psi for FLIP, alpha for the blends, k for XPIC and FMPM. With a period of m, FMPM
+/// is done in the steps m, 2m, ... from the start of the run (state::steps), and FLIP(psi) in the others.
 struct update {
     update_kind kind = update_kind::flip;
     double psi = 0;
     double alpha = 1;
     int k = 1;
+    int period = 1;
 };
 
 inline update pic() { return {.kind = update_kind::pic}; }
 inline update flip(double psi = 0) { return {.kind = update_kind::flip, .psi = psi}; }
 inline update blend(double alpha) { return {.kind = update_kind::blend, .alpha = alpha}; }
 inline update graphics_blend(double alpha) { return {.kind = update_kind::graphics_blend, .alpha = alpha}; }
-inline update xpic(int k) { return {.kind = update_kind::xpic, .k = k}; }
-inline update fmpm(int k) { return {.kind = update_kind::fmpm, .k = k}; }
+/// The series without a term, k = 0, is FLIP(1): V' = V + S a dt, X' = X + (S m^-1 p + S a dt/2) dt.
+inline update xpic(int k) { return k == 0 ? flip(1) : update{.kind = update_kind::xpic, .k = k}; }
+inline update fmpm(int k) { return k == 0 ? flip(1) : update{.kind = update_kind::fmpm, .k = k}; }
+inline update periodic_fmpm(int k, int period, double psi = 0) {
+    return {.kind = update_kind::fmpm, .psi = psi, .k = k, .period = period};
+}
 
 /// One held direction: v . normal = value(node position, time), with a normal of length one.
 struct held_direction {
@@ -64,7 +78,9 @@ struct scene {
     stress_order order = stress_order::usl_minus;
     reference::motion motion = motion::moving;
     std::vector<condition> conditions = {};
+    reference::boundary_method boundary_method = reference::boundary_method::incremental;  ///< others for FMPM only
 
+    law_kind law = law_kind::linear_elastic;
     /// Young's modulus: one number for all particles, or one for each.
     Eigen::VectorXd young = Eigen::VectorXd::Ones(1);
     double poisson = 0;
@@ -107,13 +123,17 @@ struct scene {
     }
 };
 
-/// The particles: positions and velocities n x D, masses and reference volumes n, stresses n matrices D x D.
+/// The particles: positions and velocities n x D, masses and reference volumes n, stresses and deformation gradients n
+/// matrices D x D, half widths of the domains they were made with n (lengths).
 struct state {
     Eigen::MatrixXd x;
     Eigen::MatrixXd v;
     Eigen::VectorXd mass;
     Eigen::VectorXd volume;
     std::vector<Eigen::MatrixXd> stress;
+    std::vector<Eigen::MatrixXd> deformation;
+    Eigen::VectorXd half_width;
+    int steps = 0;  ///< done so far
 
     Eigen::Index size() const { return x.rows(); }
 };
@@ -144,9 +164,13 @@ inline state make_particles(const scene& set, Eigen::Index n, double density,
 
     const auto count = static_cast<Eigen::Index>(places.size());
     const double volume = std::pow(side, static_cast<double>(dimension));
-    state body{Eigen::MatrixXd(count, dimension), Eigen::MatrixXd::Zero(count, dimension),
-               Eigen::VectorXd::Constant(count, density * volume), Eigen::VectorXd::Constant(count, volume),
-               std::vector<Eigen::MatrixXd>(places.size(), Eigen::MatrixXd::Zero(dimension, dimension))};
+    state body{Eigen::MatrixXd(count, dimension),
+               Eigen::MatrixXd::Zero(count, dimension),
+               Eigen::VectorXd::Constant(count, density * volume),
+               Eigen::VectorXd::Constant(count, volume),
+               std::vector<Eigen::MatrixXd>(places.size(), Eigen::MatrixXd::Zero(dimension, dimension)),
+               std::vector<Eigen::MatrixXd>(places.size(), Eigen::MatrixXd::Identity(dimension, dimension)),
+               Eigen::VectorXd::Constant(count, side / 2)};
     for (Eigen::Index p = 0; p < count; ++p) body.x.row(p) = places[static_cast<std::size_t>(p)].transpose();
     return body;
 }

@@ -7,50 +7,12 @@
 #include <Eigen/Dense>
 
 #include "basis.hpp"
+#include "boundary.hpp"
 #include "held.hpp"
+#include "law.hpp"
 #include "scene.hpp"
 
 namespace reference {
-
-/// v(k) = sum of k increments, dv_1 = `lumped`, dv_l = A dv_(l-1) with held components taken out, and the sum of what
-/// was taken out. k = 1 gives `lumped` back.
-struct full_mass_velocity {
-    Eigen::MatrixXd v;
-    Eigen::MatrixXd removed;
-
-    full_mass_velocity(const Eigen::MatrixXd& lumped, int k, const basis& shapes, const held_nodes& held)
-        : v(lumped), removed(Eigen::MatrixXd::Zero(lumped.rows(), lumped.cols())) {
-        if (k < 1) throw std::invalid_argument("reference: give k of at least 1.");
-        Eigen::MatrixXd increment = lumped;
-        for (int l = 2; l <= k; ++l) {
-            const Eigen::MatrixXd unconstrained = shapes.A * increment;
-            increment = held.zeroed(unconstrained);
-            removed += unconstrained - increment;
-            v += increment;
-        }
-    }
-};
-
-/// Linear elasticity in small increments: stress += C : sym(grad v) dt; bar in 1D, plane strain in 2D.
-/// `v`: nodal velocities (nodes x D).
-inline void strain_particles(const scene& set, state& body, const basis& shapes, const Eigen::MatrixXd& v, double dt) {
-    const Eigen::Index dimension = set.dimension();
-    for (Eigen::Index p = 0; p < body.size(); ++p) {
-        Eigen::MatrixXd gradient(dimension, dimension);
-        for (Eigen::Index b = 0; b < dimension; ++b)
-            gradient.col(b) = (shapes.G[static_cast<std::size_t>(b)].row(p) * v).transpose();
-        const Eigen::MatrixXd strain = dt * (gradient + gradient.transpose()) / 2;
-        const double young = set.young.size() == 1 ? set.young[0] : set.young[p];
-        Eigen::MatrixXd& stress = body.stress[static_cast<std::size_t>(p)];
-        if (dimension == 1) {
-            stress += young * strain;
-        } else {
-            const double shear = young / (2 * (1 + set.poisson));
-            const double lame = young * set.poisson / ((1 + set.poisson) * (1 - 2 * set.poisson));
-            stress += 2 * shear * strain + lame * strain.trace() * Eigen::MatrixXd::Identity(dimension, dimension);
-        }
-    }
-}
 
 /// f = -G^T (V0 stress) + S^T (M b), nodes x D, in newtons.
 inline Eigen::MatrixXd nodal_forces(const scene& set, const state& body, const basis& shapes, double t) {
@@ -72,7 +34,15 @@ inline Eigen::MatrixXd nodal_forces(const scene& set, const state& body, const b
     return f;
 }
 
-/// One step from t to t + dt, by full matrices. Returns the reactions (nodes x D, newtons).
+/// What a step tells beside the particles.
+struct step_result {
+    Eigen::MatrixXd reactions;  ///< nodes x D, newtons
+    Eigen::MatrixXd velocity;   ///< v+, of the nodes, which strains the particles last: of FMPM(k) its own, else lumped
+    Eigen::VectorXd mass;       ///< of the nodes, lumped
+    double last_increment = 0;  ///< sqrt(sum m |dv_k|^2 / sum m) of the series given to the particles; 0 without one
+};
+
+/// One step from t to t + dt, by full matrices.
 ///
 /// Reactions. Write P and P0 for the nodal momenta before and after the values of t are imposed, P+ for those after the
 /// values of t + dt are imposed on P0 + f dt, and
@@ -87,13 +57,20 @@ inline Eigen::MatrixXd nodal_forces(const scene& set, const state& body, const b
 ///     XPIC(k)    V' = S v0(k) + S a dt         sum P0 + d2 + (P+ - P0) - P - f dt         = d0 + d1 + d2
 ///     FMPM(k)    V' = S v+(k)                  sum P+ + d2 - P - f dt                     = d0 + d1 + d2
 /// with d2 from the sum that is handed to the particles. Divided by dt, node by node, these are the reactions.
+/// FMPM with another boundary method than `incremental` has sum m v+(k) - P - f dt = sum of that method's impulses; see
+/// velocity_under_conditions, which starts from P + f dt: P0 has no part in it.
 /// One more term makes the balance exact: a node without mass takes no part, so a force upon it (a gradient need not
 /// vanish where the weight does) is lost, as if held by a reaction -f.
-inline Eigen::MatrixXd step(const scene& set, state& body, double t, double dt) {
-    const basis shapes = evaluate_basis(set, body.x, body.mass);
+inline step_result advance(const scene& set, state& body, double t, double dt) {
+    if (set.boundary_method != boundary_method::incremental &&
+        (set.update.kind != update_kind::fmpm || set.update.period != 1))
+        throw std::invalid_argument("reference: only FMPM in every step has other boundary methods than incremental.");
+    if (set.update.period < 1) throw std::invalid_argument("reference: give a period of at least 1.");
+    const basis shapes = evaluate_basis(set, body);
     const held_nodes held(set, shapes);
     const Eigen::MatrixXd& S = shapes.S;
-    const update_kind kind = set.update.kind;
+    const bool pause = set.update.kind == update_kind::fmpm && (body.steps + 1) % set.update.period != 0;
+    const update_kind kind = pause ? update_kind::flip : set.update.kind;
     const stress_order order = set.order;
 
     const bool euler = order == stress_order::euler;
@@ -104,19 +81,19 @@ inline Eigen::MatrixXd step(const scene& set, state& body, double t, double dt) 
 
     // Only FMPM strains with its own velocity; k = 1 is the lumped one.
     const int k_strain = kind == update_kind::fmpm ? set.update.k : 1;
-    const auto straining = [&](const Eigen::MatrixXd& lumped) {
-        return full_mass_velocity(lumped, k_strain, shapes, held).v;
+    const auto velocity = [&](const Eigen::MatrixXd& momentum, double time, int k) {
+        return velocity_under_conditions(set.boundary_method, momentum, time, k, shapes, held);
     };
 
     const Eigen::MatrixXd P = S.transpose() * (body.mass.asDiagonal() * body.v);
     const Eigen::MatrixXd v_free = shapes.inverse_mass.asDiagonal() * P;
     const Eigen::MatrixXd v_start = held.imposed(v_free, time_of_start);
 
-    if (order == stress_order::usf) strain_particles(set, body, shapes, straining(v_start), dt);
-    if (half_and_half) strain_particles(set, body, shapes, straining(v_start), dt / 2);
+    if (order == stress_order::usf || half_and_half)
+        strain_particles(set, body, shapes, velocity(P, time_of_start, k_strain).v, half_and_half ? dt / 2 : dt);
 
     const Eigen::MatrixXd f = nodal_forces(set, body, shapes, t);
-    if (euler) strain_particles(set, body, shapes, straining(v_start), dt);
+    if (euler) strain_particles(set, body, shapes, velocity(P, time_of_start, k_strain).v, dt);
 
     const Eigen::MatrixXd v_end_free = v_start + dt * (shapes.inverse_mass.asDiagonal() * f);
     const Eigen::MatrixXd v_end = held.imposed(v_end_free, time_of_end);
@@ -129,6 +106,9 @@ inline Eigen::MatrixXd step(const scene& set, state& body, double t, double dt) 
     const Eigen::MatrixXd V = body.v;
     Eigen::MatrixXd V_new;
     Eigen::MatrixXd X_new;
+    step_result result;
+    result.mass = shapes.mass;
+    result.velocity = v_end;
     switch (kind) {
         case update_kind::pic:
             V_new = S * v_end;
@@ -150,37 +130,43 @@ inline Eigen::MatrixXd step(const scene& set, state& body, double t, double dt) 
             break;
         }
         case update_kind::xpic: {
-            const full_mass_velocity full(v_start, set.update.k, shapes, held);
+            const nodal_velocity full = velocity(P, time_of_start, set.update.k);
             V_new = S * full.v + S * a * dt;
             X_new = body.x + (S * v_start + (V_new - V) / 2) * dt;
-            impulse = d0 + d1 - shapes.mass.asDiagonal() * full.removed;
+            impulse = full.impulse + d1;
+            result.last_increment = full.last_increment;
             break;
         }
         case update_kind::fmpm: {
-            const full_mass_velocity full(v_end, set.update.k, shapes, held);
+            const nodal_velocity full = velocity(P + f * dt, time_of_end, set.update.k);
             V_new = S * full.v;
             X_new = body.x + (V + V_new) / 2 * dt;
-            impulse = d0 + d1 - shapes.mass.asDiagonal() * full.removed;
+            impulse = full.impulse;
+            result.velocity = full.v;
+            result.last_increment = full.last_increment;
             break;
         }
     }
 
     if (order != stress_order::usf && !euler) {
-        Eigen::MatrixXd lumped = v_end;
-        if (again) {
-            const Eigen::MatrixXd P_new = S.transpose() * (body.mass.asDiagonal() * V_new);
-            lumped = held.imposed(shapes.inverse_mass.asDiagonal() * P_new, time_of_end);
-        }
-        strain_particles(set, body, shapes, straining(lumped), half_and_half ? dt / 2 : dt);
+        Eigen::MatrixXd v = result.velocity;
+        if (again) v = velocity(S.transpose() * (body.mass.asDiagonal() * V_new), time_of_end, k_strain).v;
+        strain_particles(set, body, shapes, v, half_and_half ? dt / 2 : dt);
     }
 
     body.v = V_new;
     if (set.motion == motion::moving) body.x = X_new;
+    ++body.steps;
 
-    Eigen::MatrixXd reactions = impulse / dt;
+    result.reactions = impulse / dt;
     for (Eigen::Index i = 0; i < set.node_count(); ++i)
-        if (!shapes.takes_part(i)) reactions.row(i) -= f.row(i);
-    return reactions;
+        if (!shapes.takes_part(i)) result.reactions.row(i) -= f.row(i);
+    return result;
+}
+
+/// One step; returns the reactions (nodes x D, newtons).
+inline Eigen::MatrixXd step(const scene& set, state& body, double t, double dt) {
+    return advance(set, body, t, dt).reactions;
 }
 
 }  // namespace reference

@@ -46,6 +46,27 @@ inline reference::stress_order same(tamis::euler) { return reference::stress_ord
 inline reference::motion same(tamis::moving) { return reference::motion::moving; }
 inline reference::motion same(tamis::held) { return reference::motion::held; }
 
+inline reference::boundary_method same(tamis::boundary_method::incremental) {
+    return reference::boundary_method::incremental;
+}
+inline reference::boundary_method same(tamis::boundary_method::lumped) { return reference::boundary_method::lumped; }
+inline reference::boundary_method same(tamis::boundary_method::velocity) {
+    return reference::boundary_method::velocity;
+}
+inline reference::boundary_method same(tamis::boundary_method::combined) {
+    return reference::boundary_method::combined;
+}
+inline reference::boundary_method same(tamis::boundary_method::unlumped1) {
+    return reference::boundary_method::unlumped1;
+}
+inline reference::boundary_method same(tamis::boundary_method::unlumped2) {
+    return reference::boundary_method::unlumped2;
+}
+inline reference::boundary_method same(tamis::boundary_method::partial) { return reference::boundary_method::partial; }
+inline reference::boundary_method same(tamis::boundary_method::collected) {
+    return reference::boundary_method::collected;
+}
+
 /// An update with the numbers that the comparisons give it: share 0.7, psi = 0.6, k = 3.
 template <class Update> Update make() {
     if constexpr (std::is_same_v<Update, tamis::blend> || std::is_same_v<Update, tamis::graphics_blend>)
@@ -162,15 +183,15 @@ template <class Mpm> void compare_reactions(const Mpm& mpm, reference_run& run) 
     run.compare_reactions();
 }
 
-/// Steps both. Reactions are compared after every step, particles after steps 1, 10, 50, 100, ...: a look at them
-/// delivers the letters of those that change their tile, which is otherwise the next step's work.
+/// Steps both. Reactions are compared after every step, particles after steps 1, 10, 50, 100, ... and the last: a look
+/// at them delivers the letters of those that change their tile, which is otherwise the next step's work.
 template <class Mpm, class Body> void side_by_side(Mpm& mpm, Body& body, reference_run& run, double dt, int steps) {
     start(body, run);
     for (int n = 1; n <= steps; ++n) {
         run.step(dt);
         mpm.step(tamis::bodies(body), static_cast<typename Body::real>(dt), n * dt);
         compare_reactions(mpm, run);
-        if (n == 1 || n == 10 || n % 50 == 0) compare_particles(std::as_const(body), run);
+        if (n == 1 || n == 10 || n % 50 == 0 || n == steps) compare_particles(std::as_const(body), run);
     }
 }
 

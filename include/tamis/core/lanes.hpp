@@ -118,6 +118,16 @@ template <class T, class Number> TAMIS_INLINE T constant(const Number& number) {
 
 namespace detail {
 
+/// Natural logarithm and exponential, lane by lane; of dual numbers by argument-dependent look-up.
+template <class T> TAMIS_INLINE T logarithm(const T& a) {
+    using std::log;
+    return log(a);
+}
+template <class T> TAMIS_INLINE T exponential(const T& a) {
+    using std::exp;
+    return exp(a);
+}
+
 /// Nodes with less mass than this take no part: the inverse would be no number.
 template <class Real> Real least_mass() {
     if constexpr (std::numeric_limits<Real>::is_specialized)

@@ -87,6 +87,14 @@ struct increment : vector_field {
 struct image : vector_field {
     static constexpr std::string_view name = "image";
 };
+/// sum G_pi M_p of a node (kg/m): points out of the body, down its mass's gradient.
+struct mass_gradient : vector_field {
+    static constexpr std::string_view name = "mass_gradient";
+};
+/// sum S_pi M_p X_p of a node (kg m): m times the mean place of the particles around it.
+struct mass_place : vector_field {
+    static constexpr std::string_view name = "mass_place";
+};
 
 }  // namespace field
 

@@ -77,6 +77,16 @@ template <class S, class Shape> class lattice {
         return place;
     }
 
+    /// Where the node at a storage place is.
+    point<D, real> place_of(std::size_t place) const {
+        const std::array<std::size_t, 3> along{D == 1 ? place : place % row_, D == 1 ? 0 : place % plane_ / row_,
+                                               D < 3 ? 0 : place / plane_};
+        point<D, real> where;
+        for (int d = 0; d < D; ++d)
+            where[d] = grid_.lower()[d] + grid_.spacing() * (real(along[at(d)]) - real(ghosts<Shape>));
+        return where;
+    }
+
     frame<S> frame_of(const cell_index& tile) const {
         frame<S> f{grid_.spacing(), inverse_spacing_, {}};
         for (int d = 0; d < D; ++d)
@@ -151,7 +161,7 @@ stencil<space<S::dim, typename S::real>, Shape::support> stencil_at(const lattic
     using one = space<S::dim, real>;
     stencil<one, Shape::support> st;
     const typename one::vector r = local;
-    st.set(functions, r, lattice.inverse_spacing());
+    st.set(functions_of_place(functions), r, lattice.inverse_spacing());
     if constexpr (ghosts < Shape >> 0) {
         wall_lanes<one> walls;
         for (int d = 0; d < S::dim; ++d) {

@@ -13,7 +13,27 @@ concept BodyLoad = requires(const L& load, const Vector& x, const Vector& v, dou
     load.acceleration(x, v, t);
 };
 
-/// No body acceleration.
+/// A force (N) on each particle that `chooses(x)` picks when its body is made: `force(x, t)` at its present place.
+template <class L, class Vector>
+concept ParticleLoad = requires(const L& load, const Vector& x, double t) {
+    { load.chooses(x) } -> std::convertible_to<bool>;
+    load.force(x, t);
+};
+/// A force per area (Pa) on faces at a body's surface that `takes(x, n)` picks when the body is made, x a face's centre
+/// and n its outward normal: `per_area(x, n, t)`.
+template <class L, class Vector>
+concept SurfaceLoad = requires(const L& load, const Vector& x, const Vector& n, double t) {
+    { load.takes(x, n) } -> std::convertible_to<bool>;
+    load.per_area(x, n, t);
+};
+/// A force -damping(t) m v on every node, v its velocity at the step's start (1/s). With `sees(kinetic, mass, dt)` it
+/// is told the nodes' kinetic energy (J) and mass (kg) of the step's start, once damping(t) has been asked for.
+template <class L>
+concept NodeDamping = requires(const L& load, double t) {
+    { load.damping(t) } -> std::convertible_to<double>;
+};
+
+/// No load.
 struct unloaded {
     static constexpr bool never = true;
     auto acceleration(const auto& x, const auto&, auto) const { return (x * 0).eval(); }

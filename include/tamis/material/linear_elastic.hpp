@@ -1,21 +1,11 @@
 #pragma once
 #include <tamis/core/error.hpp>
 #include <tamis/core/names.hpp>
-
-#include <cmath>
+#include <tamis/material/elastic_constants.hpp>
 
 namespace tamis {
 
 namespace detail {
-
-inline void check_elastic(double young, double poisson, double density) {
-    if (!(young > 0 && std::isfinite(young)))
-        throw error(sentence("linear_elastic: Young's modulus is ", young, "; give a positive number"));
-    if (!(poisson > -1 && poisson < 0.5))
-        throw error(sentence("linear_elastic: Poisson's ratio is ", poisson, "; give one above -1 and below 0.5"));
-    if (!(density > 0 && std::isfinite(density)))
-        throw error(sentence("linear_elastic: the density is ", density, "; give a positive number"));
-}
 
 /// Stress of isotropic linear elasticity for unit Young's modulus: uniaxial stress in 1D, plane strain in 2D.
 template <class Tensor> TAMIS_INLINE Tensor elastic_stress(double poisson, const Tensor& strain) {
@@ -41,11 +31,6 @@ template <class Tensor> Tensor elastic_strain(double poisson, const Tensor& tau)
     }
 }
 
-/// Speed of longitudinal waves (m/s).
-inline double elastic_wave_speed(int dim, double young, double poisson, double density) {
-    return std::sqrt((dim == 1 ? young : young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))) / density);
-}
-
 }  // namespace detail
 
 /// Isotropic linear elasticity in small strain: in 1D sigma = E epsilon, plane strain in 2D, 3D. Pa and kg/m^3.
@@ -54,7 +39,7 @@ struct linear_elastic {
     using on_particles = fields<const field::stress>;
     static constexpr std::string_view name = "linear_elastic";
 
-    void check() const { detail::check_elastic(young, poisson, density); }
+    void check() const { detail::check_elastic(name, young, poisson, density); }
     double wave_speed(int dim) const { return detail::elastic_wave_speed(dim, young, poisson, density); }
     /// Stress of a particle at a given strain.
     template <class Tensor> Tensor at_strain(auto&&, const Tensor& strain) const {
@@ -80,7 +65,7 @@ struct varying_elastic {
     using on_particles = fields<const field::stress, const field::modulus>;
     static constexpr std::string_view name = "varying_elastic";
 
-    void check() const { detail::check_elastic(young, poisson, density); }
+    void check() const { detail::check_elastic(name, young, poisson, density); }
     void start(auto p) const { p[symbols::E] = young; }
     void check(auto p) const {
         if (!(p[symbols::E] > 0))

@@ -50,11 +50,15 @@ template <class S, int N> struct stencil {
     using real = typename S::real;
     axis_weights<T, N> axis[S::dim];
 
-    /// Slopes come per cell side and leave per unit of length.
-    template <class Shape>
-    TAMIS_INLINE void set(const Shape& shape, const typename S::vector& local, const T& inverse_spacing) {
+    /// Slopes come per cell side and leave per unit of length. `particle`: what shapes that depend on it see of it.
+    template <class Shape, class... Particle> TAMIS_INLINE void set(const Shape& shape, const typename S::vector& local,
+                                                                    const T& inverse_spacing,
+                                                                    const Particle&... particle) {
         unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
-            axis[d] = shape.on_axis(local[int(d)]);
+            if constexpr (sizeof...(Particle) > 0)
+                axis[d] = shape.on_axis(local[int(d)], particle..., int(d));
+            else
+                axis[d] = shape.on_axis(local[int(d)]);
             unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA { axis[d].dw[k] *= inverse_spacing; });
         });
     }

@@ -1,8 +1,9 @@
 #pragma once
 #include <tamis/boundary/held_nodes.hpp>
+#include <tamis/contact/policies.hpp>
 #include <tamis/core/execution.hpp>
 #include <tamis/grid/uniform_grid.hpp>
-#include <tamis/load/load.hpp>
+#include <tamis/load/loads.hpp>
 #include <tamis/shape/cubic_spline.hpp>
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
@@ -20,6 +21,7 @@ enum class role {
     stress_order,
     boundary,
     boundary_method,
+    contact,
     load,
     motion,
     execution,
@@ -38,6 +40,11 @@ concept TransferScheme = requires(const P& p) {
 template <class P>
 concept BoundaryMethod = requires {
     { P::how } -> std::convertible_to<held_by>;
+};
+template <class P>
+concept ContactPolicy = requires {
+    typename P::law_type;
+    typename P::method_type;
 };
 template <class P>
 concept Motion = requires {
@@ -64,7 +71,9 @@ template <class P, class Point> consteval role role_of() {
         return role::boundary;
     else if constexpr (BoundaryMethod<P>)
         return role::boundary_method;
-    else if constexpr (BodyLoad<P, Point>)
+    else if constexpr (ContactPolicy<P> || std::same_as<P, one_velocity>)
+        return role::contact;
+    else if constexpr (is_loads<P> || SingleLoad<P, Point>)
         return role::load;
     else if constexpr (Motion<P>)
         return role::motion;
@@ -89,7 +98,7 @@ template <role R, class Default, class Point, class... P> struct pick {
     }
     static_assert(count <= 1,
                   "tamis: two policies of one role were given to solver{...}; keep one of them (several "
-                  "boundary conditions go into conditions{...})");
+                  "boundary conditions go into conditions{...}, several loads into loads{...})");
     static auto of(const std::tuple<P...>& all) {
         if constexpr (count == 0)
             return Default{};
@@ -103,7 +112,7 @@ template <class P, class Point> struct is_policy {
     static_assert(
         role_v<P, Point> != role::none,
         "tamis: an argument of solver{...} is no policy: it has the members of none of shape, transfer, stress "
-        "order, boundary condition, boundary method, load, motion, execution, lanes, leaving; compare it with "
+        "order, boundary condition, boundary method, contact, load, motion, execution, lanes, leaving; compare it with "
         "docs/concepts.md");
     static constexpr bool value = role_v<P, Point> != role::none;
 };
@@ -121,6 +130,7 @@ template <class Grid, class... P> struct composition {
     using order = typename by_role<role::stress_order, usl_minus>::type;
     using boundary = typename by_role<role::boundary, unbounded>::type;
     using method = typename by_role<role::boundary_method, boundary_method::incremental>::type;
+    using touch = typename by_role<role::contact, one_velocity>::type;
     using load = typename by_role<role::load, unloaded>::type;
     using motion = typename by_role<role::motion, moving>::type;
     using execution = typename by_role<role::execution, serial>::type;
@@ -141,9 +151,18 @@ template <class Grid, class... P> struct composition {
     static_assert(method::how == how || method::how == held_by::increments,
                   "tamis: with an exact mass matrix conditions hold exactly; leave the boundary method out");
 
+    /// Has each body a velocity field of its own?
+    static constexpr bool own_velocities = !requires { requires touch::never; };
+    static_assert(!own_velocities || how == held_by::increments,
+                  "tamis: contact goes with boundary_method::incremental only, and with no exact mass matrix");
+
     static constexpr bool moves = motion::moves;
-    static constexpr bool loaded = !requires { requires load::never; };
+    using kinds = load_kinds<load, point_type>;
+    static constexpr bool loaded = kinds::on_particles || kinds::on_nodes;
     static constexpr bool remaps = order::remap && order::after > 0;
+    static_assert(!moves || !reads_particles<shape> || (order::before == 0 && !remaps),
+                  "tamis: this shape's functions change when particles are strained, and must be the same throughout a "
+                  "step; give usl_minus{}, which strains them last");
     static constexpr where_to particles_go = !moves   ? where_to::nowhere
                                              : remaps ? where_to::displacement
                                                       : where_to::position;
@@ -164,13 +183,14 @@ template <class Grid, class... P> struct composition {
                            std::conditional_t<mass::full, field::strain_velocity, field::start_velocity>>;
     static constexpr bool filters_first = mass::full && (order::before > 0 || order::explicit_euler);
 
-    using node_fields =
-        merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
-              std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>, fields<strains_after>>;
+    using node_fields = merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
+                              std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>,
+                              fields<strains_after>, on_nodes_t<touch>>;
     /// What the step itself needs of a particle.
     using step_fields = merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
+                              std::conditional_t<moves, on_particles_t<shape>, fields<>>,
                               fields<field::velocity, field::mass, field::volume, field::stress>, on_particles_t<mass>,
-                              on_particles_t<update>, on_particles_t<load>,
+                              on_particles_t<update>, typename kinds::particle_fields,
                               std::conditional_t<moves && remaps, fields<field::displacement>, fields<>>>;
 };
 

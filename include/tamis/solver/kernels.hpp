@@ -32,12 +32,13 @@ struct mass_to_nodes {
 
 /// Particles to nodes: mass, momentum, force, as far as they are wanted.
 template <class S, class Shape, class Load, bool Mass, bool Momentum, bool Force> struct to_nodes {
-    static constexpr bool loaded = Force && !requires { requires Load::never; };
-    /// What is the same for every node around a particle: M V, V0 tau and M b.
+    using kinds = load_kinds<Load, point<S::dim, typename S::real>>;
+    static constexpr bool loaded = Force && kinds::on_particles, on_faces = loaded && kinds::by_face;
+    /// What is the same for every node around a particle: M V, V0 tau and what loads give.
     struct carried {
         typename S::vector momentum;
         symmetric_field::value<S> stress;
-        typename S::vector load;
+        loading<S, on_faces> load;
     };
     const Load& load;
     double time;
@@ -47,7 +48,7 @@ template <class S, class Shape, class Load, bool Mass, bool Momentum, bool Force
         carried of;
         if constexpr (Momentum) of.momentum = slot.template get<field::velocity>() * mass;
         if constexpr (Force) of.stress = slot.template get<field::stress>() * slot.template get<field::volume>();
-        if constexpr (loaded) of.load = acceleration_of<S, Shape>(load, slot, at, time) * mass;
+        if constexpr (loaded) of.load = loading_of<S, Shape>(load, slot, at, time);
         return of;
     }
     TAMIS_INLINE void operator()(auto p, auto near, const carried& of) const {
@@ -56,7 +57,23 @@ template <class S, class Shape, class Load, bool Mass, bool Momentum, bool Force
             if constexpr (Mass) i[m] += w * p[m];
             if constexpr (Momentum) i[mv] += w * of.momentum;
             if constexpr (Force) i[f] -= unpack<S>(of.stress) * dw;
-            if constexpr (loaded) i[f] += w * of.load;
+            if constexpr (loaded) i[f] += w * of.load.force;
+            if constexpr (on_faces) i[f] += of.load.couple * dw;
+        }
+    }
+};
+
+/// What contact measures on nodes: mass gradient, mean place of the particles.
+template <class S, class Shape, bool Gradient, bool Place> struct contact_to_nodes {
+    template <class Slot> TAMIS_INLINE typename S::vector make(const Slot& slot, const frame<S>& at) const {
+        typename S::vector moment = S::vector::Constant(typename S::scalar(typename S::real(0)));
+        if constexpr (Place) moment = places<S, Shape>(slot, at) * slot.template get<field::mass>();
+        return moment;
+    }
+    TAMIS_INLINE void operator()(auto p, auto near, const typename S::vector& moment) const {
+        for (const auto& [i, w, dw] : near) {
+            if constexpr (Gradient) i[field::mass_gradient{}] += p[symbols::m] * typename S::vector(dw);
+            if constexpr (Place) i[field::mass_place{}] += w * moment;
         }
     }
 };

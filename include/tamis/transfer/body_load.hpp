@@ -1,6 +1,9 @@
 #pragma once
-#include <tamis/load/load.hpp>
+#include <tamis/load/loads.hpp>
 #include <tamis/transfer/near.hpp>
+
+#include <cmath>
+#include <utility>
 
 namespace tamis::detail {
 
@@ -19,13 +22,21 @@ TAMIS_INLINE typename S::vector places(const Slot& slot, const frame<S>& at) {
     }
 }
 
-/// The body acceleration of a slot's particles at time t.
-template <class S, class Shape, class Load, class Slot>
-typename S::vector acceleration_of(const Load& load, const Slot& slot, const frame<S>& at, double t) {
+/// Side of the cube that a particle of the given volume is when its body is made.
+template <int D, class Real> Real side_of(const Real& volume) {
+    if constexpr (D == 1)
+        return volume;
+    else
+        return Real(D == 2 ? std::sqrt(to_double(volume)) : std::cbrt(to_double(volume)));
+}
+
+/// The acceleration that one load gives a slot's particles at time t.
+template <class S, class Load, class Slot>
+typename S::vector acceleration_at(const Load& load, const Slot& slot, const typename S::vector& x, double t) {
     using T = typename S::scalar;
     using real = typename S::real;
     constexpr int D = S::dim, W = S::width;
-    const typename S::vector x = places<S, Shape>(slot, at), v = slot.template get<field::velocity>();
+    const typename S::vector v = slot.template get<field::velocity>();
     if constexpr (W == 1)
         return detail::as_point_like(x, load.acceleration(x, v, t));
     else if constexpr (requires { requires Load::in_lanes; }) {
@@ -55,6 +66,110 @@ typename S::vector acceleration_of(const Load& load, const Slot& slot, const fra
         for (int d = 0; d < D; ++d) b[d] = lane<T>::load(bs[d]);
         return b;
     }
+}
+
+/// The force of one load on a slot's particles that were chosen for it.
+template <class S, class Load>
+typename S::vector force_at(const Load& load, const typename S::scalar& share, const typename S::vector& x, double t) {
+    using T = typename S::scalar;
+    using real = typename S::real;
+    constexpr int D = S::dim, W = S::width;
+    real shares[W], xs[D][W], forces[D][W] = {};
+    lane<T>::store(shares, share);
+    for (int d = 0; d < D; ++d) lane<T>::store(xs[d], x[d]);
+    for (int l = 0; l < W; ++l) {
+        if (shares[l] == real(0)) continue;
+        point<D, real> at;
+        for (int d = 0; d < D; ++d) at[d] = xs[d][l];
+        const point<D, real> force = as_point<D, real>(load.force(std::as_const(at), t));
+        for (int d = 0; d < D; ++d) forces[d][l] = shares[l] * force[d];
+    }
+    typename S::vector all;
+    for (int d = 0; d < D; ++d) all[d] = lane<T>::load(forces[d]);
+    return all;
+}
+
+/// What loads give the nodes around a slot's particles: w F + K dw.
+///
+/// F is M b and the forces on particles and on faces. K is the sum of F d^T over faces: w + d . dw is the first-order
+/// value of the functions at a face's centre x + d. They add up to one and reproduce linear fields, so force and moment
+/// are exactly those of F at x + d. The functions' own values there would reach nodes that no particle reaches, where a
+/// force is lost.
+template <class S, bool Faces> struct loading { typename S::vector force; };
+template <class S> struct loading<S, true> {
+    typename S::vector force;
+    typename S::tensor couple;
+};
+
+/// Adds the tractions on a slot's faces.
+template <class S, class Load, class Faces>
+void add_tractions(const Load& load, const Faces& faces, const typename S::vector& x, const typename S::scalar& volume,
+                   double t, loading<S, true>& to) {
+    using T = typename S::scalar;
+    using real = typename S::real;
+    constexpr int D = S::dim, W = S::width;
+    real areas[2 * D][W], xs[D][W], volumes[W], forces[D][W] = {}, couples[D][D][W] = {};
+    for (int side = 0; side < 2 * D; ++side) lane<T>::store(areas[side], faces[side]);
+    for (int d = 0; d < D; ++d) lane<T>::store(xs[d], x[d]);
+    lane<T>::store(volumes, volume);
+    for (int side = 0; side < 2 * D; ++side)
+        for (int l = 0; l < W; ++l) {
+            if (areas[side][l] == real(0)) continue;
+            const int axis = side / 2;
+            const real half = (side % 2 == 0 ? real(-1) : real(1)) * side_of<D>(volumes[l]) / real(2);
+            point<D, real> at, normal = point<D, real>::Zero();
+            for (int d = 0; d < D; ++d) at[d] = xs[d][l];
+            at[axis] += half;
+            normal[axis] = side % 2 == 0 ? real(-1) : real(1);
+            const point<D, real> on =
+                areas[side][l] * as_point<D, real>(load.per_area(std::as_const(at), std::as_const(normal), t));
+            for (int d = 0; d < D; ++d) {
+                forces[d][l] += on[d];
+                couples[d][axis][l] += on[d] * half;
+            }
+        }
+    for (int d = 0; d < D; ++d) {
+        to.force[d] += lane<T>::load(forces[d]);
+        for (int e = 0; e < D; ++e) to.couple(d, e) += lane<T>::load(couples[d][e]);
+    }
+}
+
+template <class S, class Shape, class Load, class Slot>
+auto loading_of(const Load& load, const Slot& slot, const frame<S>& at, double t) {
+    using T = typename S::scalar;
+    using real = typename S::real;
+    using at_point = point<S::dim, real>;
+    using kinds = load_kinds<Load, at_point>;
+    const typename S::vector x = places<S, Shape>(slot, at);
+    loading<S, kinds::by_face> all;
+    [[maybe_unused]] bool first = true;
+    if constexpr (!kinds::by_mass) all.force.setConstant(T(real(0)));
+    each_load(load, [&](auto, const auto& one) {
+        if constexpr (Accelerates<std::remove_cvref_t<decltype(one)>, at_point>) {
+            const typename S::vector b = acceleration_at<S>(one, slot, x, t);
+            if (std::exchange(first, false))
+                all.force = b;
+            else
+                all.force += b;
+        }
+    });
+    if constexpr (kinds::by_mass) all.force = all.force * slot.template get<field::mass>();
+    if constexpr (kinds::by_face) all.couple.setConstant(T(real(0)));
+    each_load(load, [&](auto k, const auto& one) {
+        using type = std::remove_cvref_t<decltype(one)>;
+        if constexpr (ParticleLoad<type, at_point>) {
+            const T& share = slot.template get<field::chosen<decltype(k)::value>>();
+            if (lane<T>::any(share != T(real(0)))) all.force += force_at<S>(one, share, x, t);
+        }
+        if constexpr (SurfaceLoad<type, at_point>) {
+            const auto& faces = slot.template get<field::faces<decltype(k)::value>>();
+            T area = faces[0];
+            for (int side = 1; side < 2 * S::dim; ++side) area += faces[side];
+            if (lane<T>::any(area != T(real(0))))
+                add_tractions<S>(one, faces, x, slot.template get<field::volume>(), t, all);
+        }
+    });
+    return all;
 }
 
 }  // namespace tamis::detail

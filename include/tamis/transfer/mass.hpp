@@ -120,6 +120,8 @@ template <int K> struct full_mass : detail::term_count<K> {
     using on_nodes =
         std::conditional_t<full, fields<const field::inverse_mass, field::velocity, field::increment, field::image>,
                            fields<>>;
+    /// With K = 1 the matrix is the lumped one.
+    void solve(auto&) const requires(!full) {}
     /// The velocity at hand becomes v(k) in `To`.
     template <class To> void filter(bool felt, auto& pass) const {
         if constexpr (full) {

@@ -39,7 +39,7 @@ struct periodic_update {
 
 }  // namespace detail
 
-/// FMPM(K) every `period`-th step, beginning with the first; FLIP between. It takes noise out at a fraction of the
+/// FMPM(K) every `period`-th step, FLIP between. It takes noise out at a fraction of the
 /// cost.
 template <int K> struct periodic_fmpm : transfer<detail::periodic_mass<K>, detail::periodic_update> {
     static_assert(K == dynamic || K > 1, "tamis: periodic_fmpm<K> needs K > 1; PIC steps between FLIP steps are blend");
@@ -49,7 +49,7 @@ template <int K> struct periodic_fmpm : transfer<detail::periodic_mass<K>, detai
         : transfer<detail::periodic_mass<K>, detail::periodic_update>{detail::periodic_mass<K>(k), {}},
           period_(checked(period)) {}
     /// Called by the solver with the number of steps done.
-    void begin_step(long done) { this->mass.due = this->particle.due = done % period_ == 0; }
+    void begin_step(long done) { this->mass.due = this->particle.due = (done + 1) % period_ == 0; }
 
   private:
     long period_;

@@ -8,18 +8,24 @@ namespace tamis::detail {
 template <class S, class Shape, bool Moves> struct tile_weights {
     const Shape& functions;
     typename S::scalar inverse_spacing;
+    frame<S> at;
     bool at_wall;
     wall_lanes<S> walls;
 
     tile_weights(const Shape& the_functions, const lattice<S, Shape>& lattice, const tile& t)
         : functions(the_functions),
           inverse_spacing(lattice.inverse_spacing()),
+          at(lattice.frame_of(t.at)),
           at_wall(Moves && lattice.at_wall(t.at)) {
         if (at_wall) walls = lattice.walls_of(t.at);
     }
     template <class Slot> TAMIS_INLINE void operator()(stencil<S, Shape::support>& st, const Slot& slot) const {
         if constexpr (Moves) {
-            st.set(functions, slot.template get<field::position>(), inverse_spacing);
+            if constexpr (reads_particles<Shape>)
+                st.set(functions, slot.template get<field::position>(), inverse_spacing,
+                       slot_row<S, const Slot, on_particles_t<Shape>>{slot, at});
+            else
+                st.set(functions, slot.template get<field::position>(), inverse_spacing);
             if constexpr (ghosts < Shape >> 0)
                 if (at_wall) st.fold(walls);
         } else

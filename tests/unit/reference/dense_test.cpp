@@ -1,15 +1,13 @@
-#include "../../reference/dense.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
-#include <utility>
 #include <vector>
 
 #include "catch.hpp"
+#include "rough.hpp"
 
 using namespace reference;
+using namespace rough;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -23,63 +21,6 @@ constexpr stress_order all_orders[] = {stress_order::usf,         stress_order::
 std::vector<reference::update> all_updates() {
     return {pic(),   flip(),  flip(1), blend(0.7), graphics_blend(0.9), xpic(1), xpic(2),
             xpic(5), fmpm(1), fmpm(2), fmpm(4)};
-}
-
-bool everywhere(const VectorXd&) { return true; }
-
-scene box(Index dimension, double length, double spacing) {
-    scene set;
-    set.lower = VectorXd::Constant(dimension, -0.3);
-    set.upper = VectorXd::Constant(dimension, -0.3 + length);
-    set.spacing = spacing;
-    return set;
-}
-
-/// Particles off their regular places, each with its own mass, velocity and stress.
-state rough_body(const scene& set, Index per_cell) {
-    state body = make_particles(set, per_cell, 2., everywhere);
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> any(-1, 1);
-    for (Index p = 0; p < body.size(); ++p) {
-        body.mass[p] *= 1 + 0.5 * any(random);
-        for (Index d = 0; d < set.dimension(); ++d) {
-            body.x(p, d) += 0.2 * set.spacing / static_cast<double>(per_cell) * any(random);
-            body.v(p, d) = any(random);
-        }
-        MatrixXd& stress = body.stress[static_cast<std::size_t>(p)];
-        for (Index a = 0; a < set.dimension(); ++a)
-            for (Index b = 0; b <= a; ++b) stress(a, b) = stress(b, a) = any(random);
-    }
-    return body;
-}
-
-/// All components held at one wall, by values that change in space and time; one slanted direction at the other.
-void add_conditions(scene& set) {
-    const Index dimension = set.dimension();
-    const double lower = set.lower[0] + 1e-9;
-    const double upper = set.upper[0] - 1e-9;
-    set.conditions.push_back(hold_velocity(
-        dimension, [=](const VectorXd& at) { return at[0] < lower; },
-        [=](const VectorXd& at, double t) -> VectorXd { return VectorXd::Constant(dimension, 0.3 + t + at.sum()); }));
-    const VectorXd slant = VectorXd::Ones(dimension).normalized();
-    set.conditions.push_back({[=](const VectorXd& at) { return at[0] > upper; },
-                              {{slant, [](const VectorXd&, double t) { return std::cos(5 * t); }}}});
-}
-
-/// M = V0 = h = 1, E = 4, V = 5, stress 2, the particle in the middle of the only cell, whose left node is held at
-/// 1 + 10 t.
-std::pair<scene, state> one_particle() {
-    scene set;
-    set.lower = VectorXd::Zero(1);
-    set.upper = VectorXd::Ones(1);
-    set.young = VectorXd::Constant(1, 4.);
-    set.conditions = {hold_velocity(
-        1, [](const VectorXd& at) { return at[0] < 0.5; },
-        [](const VectorXd&, double t) -> VectorXd { return VectorXd::Constant(1, 1 + 10 * t); })};
-    state body = make_particles(set, 1, 1., everywhere);
-    body.v(0, 0) = 5;
-    body.stress[0](0, 0) = 2;
-    return {set, body};
 }
 
 /// Root mean square errors of a standing wave after one period, by the amplitudes of velocity and strain.

@@ -1,0 +1,118 @@
+#pragma once
+#include <tamis/core/error.hpp>
+#include <tamis/core/names.hpp>
+#include <tamis/core/space.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <string_view>
+
+namespace tamis {
+
+/// Bodies in one velocity field: they stick where they share nodes, and never slide or part. The default, and free.
+struct one_velocity {
+    static constexpr bool never = true;
+};
+
+// Laws: how much tangential impulse goes with a normal one (>= 0) where sticking would take `stick` (N s).
+
+/// A perfect interface: the bodies move as one on shared nodes, in tension too.
+struct bonded {
+    static constexpr std::string_view name = "bonded";
+    static constexpr bool always = true;
+    template <class real> real tangential(const real&, const real& stick) const { return stick; }
+};
+/// Sliding without friction.
+struct frictionless {
+    static constexpr std::string_view name = "frictionless";
+    template <class real> real tangential(const real&, const real&) const { return real(0); }
+};
+/// Coulomb friction: the tangential impulse is at most mu times the normal one.
+class coulomb {
+  public:
+    static constexpr std::string_view name = "coulomb";
+    explicit coulomb(double mu) : mu_(mu) {
+        if (!(mu >= 0)) throw error(detail::sentence("coulomb: mu is ", mu, "; give 0 or more"));
+    }
+    double mu() const { return mu_; }
+    template <class real> real tangential(const real& normal, const real& stick) const {
+        return std::min<real>(static_cast<real>(mu_) * normal, stick);
+    }
+
+  private:
+    double mu_;
+};
+
+// Normals, from the first body to the second.
+
+/// Along the difference of the two bodies' sums G_pi M_p, which point out of them.
+struct normal_by_mass {
+    using on_nodes = fields<field::mass_gradient>;
+};
+/// The same everywhere, or normal(at): a unit vector from the body named first in bodies(...) to the later one.
+template <class Normal> struct given_normal {
+    Normal normal;
+    template <class Point> Point operator()(const Point& at) const {
+        // Asked this way round: an Eigen vector can be "called" with another, as with a list of indices.
+        if constexpr (std::convertible_to<Normal, Point>)
+            return normal;
+        else
+            return normal(at);
+    }
+};
+template <class Normal> given_normal(Normal) -> given_normal<Normal>;
+
+// Detection: bodies touch on a node they share if they approach there,
+
+struct by_approach {};
+/// ... and are nearer to each other than `cells` cell sides: by their particles' mean places, sum S_pi M_p X_p / m.
+struct by_separation {
+    using on_nodes = fields<field::mass_place>;
+    double cells = 0.8;
+};
+
+/// Where contact enters a full mass matrix's series.
+namespace contact_method {
+
+/// On the lumped momentum and on every further increment (numerics.md, section 7). The default.
+struct incremental {
+    static constexpr bool on_momentum = true, on_increments = true, on_velocity = false;
+};
+/// On the lumped momentum only, before the series.
+struct lumped {
+    static constexpr bool on_momentum = true, on_increments = false, on_velocity = false;
+};
+/// On the velocity the series gave, after it.
+struct velocity {
+    static constexpr bool on_momentum = false, on_increments = false, on_velocity = true;
+};
+
+}  // namespace contact_method
+
+/// Each body has a velocity field of its own; on nodes that two of them reach their momenta are corrected.
+///
+///     solver mpm{grid, fmpm<2>{}, contact{coulomb{0.3}}};
+///     mpm.step(bodies(block, floor), dt);
+template <class Law, class Normal = normal_by_mass, class Detection = by_approach,
+          class Method = contact_method::incremental>
+struct contact {
+    using law_type = Law;
+    using method_type = Method;
+    static constexpr bool always = requires { requires Law::always; };
+    static constexpr bool by_mass = !always && std::same_as<Normal, normal_by_mass>;
+    static constexpr bool by_place = !always && std::same_as<Detection, by_separation>;
+    using on_nodes = typename detail::concatenate<detail::fields_if<by_mass, field::mass_gradient>,
+                                                  detail::fields_if<by_place, field::mass_place>>::type;
+    Law law;
+    [[no_unique_address]] Normal normal{};
+    [[no_unique_address]] Detection detection{};
+    [[no_unique_address]] Method method{};
+};
+template <class Law> contact(Law) -> contact<Law>;
+template <class Law, class Normal> contact(Law, Normal) -> contact<Law, Normal>;
+template <class Law, class Normal, class Detection> contact(Law, Normal, Detection) -> contact<Law, Normal, Detection>;
+template <class Law, class Normal, class Detection, class Method> contact(Law, Normal, Detection, Method)
+    -> contact<Law, Normal, Detection, Method>;
+
+}  // namespace tamis

@@ -1,0 +1,215 @@
+#pragma once
+#include <tamis/contact/policies.hpp>
+#include <tamis/grid/lattice.hpp>
+#include <tamis/grid/node_table.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace tamis {
+
+/// A node where two bodies touch, and what the contact did there in the last step.
+template <int Dim, class Real> struct touching_node {
+    point<Dim, Real> at;
+    int first, second;        // which bodies, in the order of bodies(...)
+    point<Dim, Real> normal;  // from the first to the second; zero for bonded bodies
+    point<Dim, Real> force;   // on the first (N); the second feels the opposite
+    bool slides;
+};
+
+namespace detail {
+
+/// Corrections on nodes that two bodies reach (numerics.md, section 7; Bardenhagen et al. 2001): with the relative
+/// velocity w = v_2 - v_1, the impulse J = m_red w would make them move as one. Its normal part acts where they
+/// approach, of its tangential part what the law allows. Momentum is kept exactly.
+template <class S, class Shape, class Contact> class touching_nodes {
+  public:
+    using real = typename S::real;
+    using vector = point<S::dim, real>;
+    using lattice_type = lattice<S, Shape>;
+    static constexpr int D = S::dim;
+
+    touching_nodes(const Contact& policy, const lattice_type& lattice) : policy_(policy), lattice_(lattice) {}
+
+    /// Finds the nodes that two fields share; `mass_of(field, place)`.
+    template <class Fields, class Mass> void find(const Fields& fields, Mass mass_of) {
+        nodes_.clear();
+        constexpr auto W = static_cast<std::size_t>(S::width);
+        for (std::size_t b = 1; b < fields.size(); ++b)
+            for (std::size_t a = 0; a < b; ++a) {
+                shared_.clear();
+                const auto &on_a = fields[a]->active(), &on_b = fields[b]->active();
+                std::set_intersection(on_a.begin(), on_a.end(), on_b.begin(), on_b.end(), std::back_inserter(shared_));
+                for (const std::uint32_t block : shared_)
+                    for (std::size_t place = block * W; place < (block + 1) * W; ++place) {
+                        entry e;
+                        e.mass[0] = mass_of(a, place);
+                        e.mass[1] = mass_of(b, place);
+                        if (!(e.mass[0] >= least_mass<real>() && e.mass[1] >= least_mass<real>())) continue;
+                        e.place = place;
+                        e.field = {a, b};
+                        e.reduced = e.mass[0] * (e.mass[1] / (e.mass[0] + e.mass[1]));
+                        nodes_.push_back(e);
+                    }
+            }
+    }
+    bool any() const { return !nodes_.empty(); }
+    /// Normals and distances, where the policy needs them; their node fields are complete now.
+    template <class Fields> void measure(const Fields& fields) {
+        if constexpr (!Contact::always)
+            std::erase_if(nodes_, [&](entry& e) {
+                if constexpr (Contact::by_mass)
+                    // G_pi slopes up towards the node, so the sum points out of the body.
+                    e.normal = get<field::mass_gradient>(*fields[e.field[0]], e.place) -
+                               get<field::mass_gradient>(*fields[e.field[1]], e.place);
+                else
+                    e.normal = as_point<D, real>(policy_.normal(lattice_.place_of(e.place)));
+                const real length = e.normal.norm();
+                if (!(length > real(0))) return true;
+                e.normal /= length;
+                if constexpr (Contact::by_place) {
+                    const vector apart = get<field::mass_place>(*fields[e.field[1]], e.place) / e.mass[1] -
+                                         get<field::mass_place>(*fields[e.field[0]], e.place) / e.mass[0];
+                    return !(apart.dot(e.normal) < constant<real>(policy_.detection.cells) * lattice_.grid().spacing());
+                }
+                return false;
+            });
+    }
+
+    /// Momenta p of the step's start, or of an extrapolation after it.
+    template <class Fields> void momentum(const Fields& fields) {
+        for (entry& e : nodes_) {
+            const vector p[2] = {get<field::momentum>(*fields[e.field[0]], e.place),
+                                 get<field::momentum>(*fields[e.field[1]], e.place)};
+            const vector j = impulse(e, p[1] / e.mass[1] - p[0] / e.mass[0]);
+            put<field::momentum>(*fields[e.field[0]], e.place, vector(p[0] + j));
+            put<field::momentum>(*fields[e.field[1]], e.place, vector(p[1] - j));
+        }
+    }
+    /// Forces f: those that carry p (its column may hold the velocity already) to a momentum that the contact allows.
+    template <bool HoldsVelocity, class Fields> void forces(const Fields& fields, const real& dt) {
+        for (entry& e : nodes_) {
+            vector v[2], f[2];
+            for (std::size_t k = 0; k < 2; ++k) {
+                f[k] = get<field::force>(*fields[e.field[k]], e.place);
+                v[k] = get<field::momentum>(*fields[e.field[k]], e.place);
+                if constexpr (!HoldsVelocity) v[k] /= e.mass[k];
+                v[k] += f[k] * (dt / e.mass[k]);
+            }
+            const vector j = impulse(e, v[1] - v[0]);
+            e.force = j / dt;
+            heat_ += to_double(e.heat);
+            put<field::force>(*fields[e.field[0]], e.place, vector(f[0] + e.force));
+            put<field::force>(*fields[e.field[1]], e.place, vector(f[1] - e.force));
+        }
+    }
+    /// A velocity after the series.
+    template <class To, class Fields> void velocity(const Fields& fields, const real& dt, bool counts) {
+        for (entry& e : nodes_) {
+            const vector v[2] = {get<To>(*fields[e.field[0]], e.place), get<To>(*fields[e.field[1]], e.place)};
+            const vector j = impulse(e, v[1] - v[0]);
+            put<To>(*fields[e.field[0]], e.place, vector(v[0] + j / e.mass[0]));
+            put<To>(*fields[e.field[1]], e.place, vector(v[1] - j / e.mass[1]));
+            if (!counts) continue;
+            e.force = j / dt;
+            heat_ += to_double(e.heat);
+        }
+    }
+    /// An increment of the series, and the sum it was added to: bodies that stick get equal increments; those that
+    /// slide get equal normal ones, and friction by the same share of them.
+    template <class Increment, class Sum, class Fields>
+    void increment(const Fields& fields, const real& dt, bool counts) {
+        for (entry& e : nodes_) {
+            if (e.state == contact_state::apart) continue;
+            const vector w =
+                get<Increment>(*fields[e.field[1]], e.place) - get<Increment>(*fields[e.field[0]], e.place);
+            vector j = e.reduced * w;
+            if (e.state == contact_state::slides) {
+                const real along = j.dot(e.normal);
+                j = along * e.normal - along * e.friction * e.tangent;
+            }
+            for (std::size_t k = 0; k < 2; ++k) {
+                const vector change = j / (k == 0 ? e.mass[k] : -e.mass[k]);
+                auto& nodes = *fields[e.field[k]];
+                put<Increment>(nodes, e.place, vector(get<Increment>(nodes, e.place) + change));
+                put<Sum>(nodes, e.place, vector(get<Sum>(nodes, e.place) + change));
+            }
+            if (counts) e.force += j / dt;
+        }
+    }
+
+    /// Work that friction has taken from the bodies since the start of the run (J).
+    double heat() const { return heat_; }
+    void restart() { heat_ = 0; }
+    auto nodes() const {
+        std::vector<touching_node<D, real>> all;
+        for (const entry& e : nodes_)
+            if (e.state != contact_state::apart)
+                all.push_back({lattice_.place_of(e.place), static_cast<int>(e.field[0]), static_cast<int>(e.field[1]),
+                               e.normal, e.force, e.state == contact_state::slides});
+        return all;
+    }
+
+  private:
+    enum class contact_state { apart, sticks, slides };
+    struct entry {
+        std::size_t place = 0;
+        std::array<std::size_t, 2> field{};
+        std::array<real, 2> mass{};
+        real reduced{}, friction{}, heat{};  // friction: tangential over normal impulse
+        vector normal = vector::Zero(), tangent = vector::Zero(), force = vector::Zero();
+        contact_state state = contact_state::apart;
+    };
+    Contact policy_;
+    const lattice_type& lattice_;
+    std::vector<entry> nodes_;
+    std::vector<std::uint32_t> shared_;
+    double heat_ = 0;
+
+    template <class F, class Nodes> static vector get(const Nodes& nodes, std::size_t place) {
+        vector a;
+        for (int d = 0; d < D; ++d) a[d] = nodes.template column<F>(d)[place];
+        return a;
+    }
+    template <class F, class Nodes> static void put(const Nodes& nodes, std::size_t place, const vector& a) {
+        for (int d = 0; d < D; ++d) nodes.template column<F>(d)[place] = a[d];
+    }
+    /// Impulse on the first body for a relative velocity w of the second.
+    vector impulse(entry& e, const vector& w) const {
+        e.heat = e.friction = real(0);
+        if constexpr (Contact::always) {
+            e.state = contact_state::sticks;
+            return e.reduced * w;
+        } else
+            return impulse_where_pressed(e, w);
+    }
+    vector impulse_where_pressed(entry& e, const vector& w) const {
+        const real along = w.dot(e.normal);
+        e.state = contact_state::apart;
+        if (!(along < real(0))) return vector::Zero();
+        const vector across = w - along * e.normal;
+        const real stick = e.reduced * across.norm(), pressed = -e.reduced * along;
+        const real allowed = policy_.law.tangential(pressed, stick);
+        e.state = allowed < stick ? contact_state::slides : contact_state::sticks;
+        vector j = e.reduced * along * e.normal;
+        if (stick > real(0)) {
+            e.tangent = across * (e.reduced / stick);
+            e.friction = allowed / pressed;
+            j += allowed * e.tangent;
+            if (allowed < stick) e.heat = allowed * (stick - allowed / real(2)) / e.reduced;
+        }
+        return j;
+    }
+};
+
+/// What a solver keeps for its contact policy.
+template <class S, class Shape, class Contact> struct contact_of { using type = touching_nodes<S, Shape, Contact>; };
+template <class S, class Shape> struct contact_of<S, Shape, one_velocity> {
+    struct type {
+        type(const one_velocity&, const lattice<S, Shape>&) {}
+    };
+};
+
+}  // namespace detail
+}  // namespace tamis

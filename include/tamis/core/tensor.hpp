@@ -1,0 +1,19 @@
+#pragma once
+#include <tamis/core/lanes.hpp>
+
+namespace tamis::detail {
+
+/// Determinant of a 1 x 1, 2 x 2 or 3 x 3 matrix of lanes or of plain numbers.
+template <class Tensor> TAMIS_INLINE typename Tensor::Scalar determinant(const Tensor& a) {
+    constexpr int D = Tensor::RowsAtCompileTime;
+    static_assert(D >= 1 && D <= 3 && Tensor::ColsAtCompileTime == D);
+    if constexpr (D == 1)
+        return a(0, 0);
+    else if constexpr (D == 2)
+        return a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+    else
+        return a(0, 0) * (a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1)) - a(0, 1) * (a(1, 0) * a(2, 2) - a(1, 2) * a(2, 0)) +
+               a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
+}
+
+}  // namespace tamis::detail

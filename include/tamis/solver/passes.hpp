@@ -1,0 +1,254 @@
+#pragma once
+#include <tamis/contact/policies.hpp>
+#include <tamis/solver/composition.hpp>
+#include <tamis/solver/damping.hpp>
+#include <tamis/solver/kernels.hpp>
+#include <tamis/solver/sweeps.hpp>
+
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace tamis {
+
+/// How far the series of the full mass matrix went: its terms, and sqrt(sum m dv^2 / sum m) of the last one (m/s).
+struct series_report {
+    int terms = 0;
+    double last_increment = 0;
+};
+
+namespace detail {
+
+/// The passes of one step of a solver; what mass policies see of it.
+template <class Solver, class... Body> struct passes {
+    using C = typename Solver::C;
+    using S = typename C::S;
+    using T = typename S::scalar;
+    using real = typename S::real;
+
+    Solver& mpm;
+    std::tuple<Body&...>& all;
+    real dt_, inverse_dt = real(1) / dt_;
+
+    T dt() const { return T(dt_); }
+    /// f(body, sweeps of its velocity field).
+    template <class F> void each_body(F f) {
+        std::size_t k = 0;
+        std::apply([&](auto&... b) { (f(b, mpm.field_of(k++).sweeps), ...); }, all);
+    }
+    template <class F> void each_held(F f) {
+        mpm.each_field([&](auto& field) { f(field.held, field.sweeps.nodes()); });
+    }
+    template <class... F, class Kernel> void nodes(fields<F...> list, Kernel kernel) {
+        mpm.each_field([&](auto& field) { field.sweeps.each_node(list, kernel); });
+    }
+    /// The same with the kernel's own list.
+    template <class Kernel> void nodes(Kernel kernel) { nodes(typename Kernel::list{}, kernel); }
+    template <class F> void set_zero() {
+        mpm.each_field([](auto& field) { field.sweeps.nodes().template set_zero<F>(); });
+    }
+
+    // Momentum, force and velocity, with what conditions and contact do to them.
+
+    /// Particles to nodes: mass (where it changes) and momentum; force.
+    template <bool Momentum, bool Force, bool Mass = C::moves> void extrapolate() {
+        constexpr bool mass = Momentum && Mass;
+        using list = typename concatenate<fields_if<mass, field::mass>, fields_if<Momentum, field::momentum>,
+                                          fields_if<Force, field::force>>::type;
+        constexpr bool loaded = Force && C::kinds::on_particles;
+        using load = std::conditional_t<loaded, typename C::load, unloaded>;
+        [[maybe_unused]] static constexpr unloaded none{};
+        const load* loads = nullptr;
+        if constexpr (loaded)
+            loads = &mpm.load_;
+        else
+            loads = &none;
+        const to_nodes<S, typename C::shape, load, mass, Momentum, Force> kernel{*loads, mpm.time_};
+        each_body([&](auto& b, auto& sweeps) { sweeps.template scatter<fields<const field::mass>, list>(b, kernel); });
+    }
+    /// The momentum of the step's start.
+    void start(double t) {
+        if constexpr (C::own_velocities) {
+            find_contact();
+            mpm.contact_.momentum(tables());
+        }
+        const double share = mpm.transfer_.particle.start_share();
+        each_held([&](auto& held, auto& table) { held.start(table, t, C::moves, inverse_dt, share); });
+    }
+    /// The forces, which carry the momentum to what it may be at the end.
+    template <bool HoldsVelocity> void constrain_forces(double t) {
+        if constexpr (C::kinds::on_nodes)
+            damp<T, node_state<HoldsVelocity, C::moves>>(mpm.load_, mpm.time_, to_double(dt_), [&](auto f) {
+                mpm.each_field([&](auto& field) { f(field.sweeps); });
+            });
+        if constexpr (C::own_velocities)
+            if (acts_on_momentum) mpm.contact_.template forces<HoldsVelocity>(tables(), dt_);
+        each_held([&](auto& held, auto& table) { held.template forces<HoldsVelocity>(table, t, inverse_dt); });
+    }
+    /// A momentum extrapolated after the update.
+    void extrapolated(double t) {
+        if constexpr (C::own_velocities)
+            if (acts_on_momentum) mpm.contact_.momentum(tables());
+        each_held([&](auto& held, auto& table) { held.extrapolated(table, t); });
+    }
+    void finish() {
+        each_held([&](auto& held, auto&) { held.finish(dt_); });
+    }
+    /// m and p become 1/m and v.
+    void velocity_of_momentum() { nodes(detail::velocity_of_momentum<C::moves>{}); }
+    /// p becomes v.
+    void velocity_of_extrapolated() { nodes(detail::velocity_of_momentum<false>{}); }
+    /// f and v (or p) become a and v+.
+    template <bool FromMomentum> void accelerate() {
+        constexpr bool keep = stores<typename C::node_fields, field::start_velocity>;
+        using kernel = detail::accelerate<T, FromMomentum && C::moves, FromMomentum, keep>;
+        nodes(kernel{dt()});
+    }
+
+    // What mass policies use.
+
+    /// The lumped velocity becomes the full one in `To`, conditions by the composed method. `felt`: do particles take
+    /// it, so that what conditions do is a reaction?
+    template <class To> void full_velocity(bool felt) {
+        constexpr held_by how = C::how;
+        const auto& mass = mpm.transfer_.mass;
+        if constexpr (how == held_by::increments || how == held_by::lumped || !Solver::held_type::any) {
+            mass.template filter<To>(felt, *this);
+            if constexpr (C::own_velocities)
+                if (!acts_on_momentum) mpm.contact_.template velocity<To>(tables(), dt_, felt);
+        } else {
+            each_held([](auto& held, auto& table) { held.remember(table); });
+            mass.template filter<To>(felt, *this);
+            if constexpr (how == held_by::velocity || how == held_by::combined)
+                each_held([&](auto& held, auto& table) { held.template impose_velocity<To>(table, inverse_dt, felt); });
+            else {
+                static_assert(
+                    requires { mass.template series<To>(felt, *this); },
+                    "tamis: this boundary method needs a mass matrix whose inverse has a fixed number of terms; give "
+                    "fmpm<k>, or boundary_method::incremental");
+                if constexpr (by_columns(how)) find_columns();
+                set_zero<field::increment>();
+                each_held([&](auto& held, auto& table) {
+                    held.template correct<field::increment, To>(table, inverse_dt, felt);
+                });
+                if constexpr (how == held_by::unlumped1 || how == held_by::unlumped2) {
+                    spread_increment();
+                    nodes(image_to_increment{});
+                }
+                nodes(add_increment<To>{});
+                mass.template series<To>(felt, *this);
+            }
+        }
+    }
+    /// SdV = S^T M S dv.
+    void spread_increment() {
+        set_zero<field::image>();
+        each_body([](auto& b, auto& sweeps) {
+            sweeps.template scatter_gathered<fields<const field::mass>, fields<field::increment>, fields<field::image>>(
+                b, spread{});
+        });
+    }
+    template <class Sum> void hold_increment(bool felt) {
+        if constexpr (C::own_velocities)
+            if (C::touch::method_type::on_increments)
+                mpm.contact_.template increment<field::increment, Sum>(tables(), dt_, felt);
+        each_held(
+            [&](auto& held, auto& table) { held.template increment<field::increment, Sum>(table, inverse_dt, felt); });
+    }
+    /// sqrt(sum m dv^2 / sum m) over nodes (m/s).
+    double increment_size() {
+        using kernel = increment_square<S>;
+        std::array<double, 2> sums{};
+        mpm.each_field([&](auto& field) {
+            const auto part = field.sweeps.template sum_over_nodes<2>(typename kernel::list{}, kernel{});
+            for (std::size_t k = 0; k < 2; ++k) sums[k] += to_double(part[k]);
+        });
+        return sums[0] > 0 ? std::sqrt(sums[1] / sums[0]) : 0;
+    }
+    void report(const series_report& series) { mpm.series_ = series; }
+    /// For policies that assemble the matrix: a number that changes when weights may have changed; the number of node
+    /// places; f(i, j, S_pi M_p S_pj) for all particles and places of nodes around them; a field's columns.
+    std::uint64_t weights_stamp() const { return mpm.weights_.number(); }
+    std::size_t places() const { return mpm.lattice_.size(); }
+    template <class F> void each_weight_pair(F f) {
+        each_body([&](auto& b, auto& sweeps) { sweeps.each_weight_pair(b, f); });
+    }
+    template <class Field, class F> void each_column(Field, F f) {
+        mpm.each_field([&](auto& field) {
+            for (int c = 0; c < Field::template components<S>; ++c) f(field.sweeps.nodes().template column<Field>(c));
+        });
+    }
+
+    // Nodes to particles.
+
+    /// Gradient of the velocity in G strains the particles over `part` (s), which then move if they are to.
+    template <class G, bool Move> void strain(const real& part) {
+        each_body([&](auto& b, auto& sweeps) {
+            using law = typename std::remove_reference_t<decltype(b)>::law_type;
+            sweeps.template gather_each<fields<>, G>(b, strain_particles<S, law, Move>{b.law, T(part)});
+        });
+    }
+    /// V', X', and the strain where it uses the same velocities.
+    void update_particles() {
+        using order = typename C::order;
+        constexpr bool strains = order::after > 0 && !C::remaps;
+        using gradient = std::conditional_t<strains, typename C::strains_after, no_field>;
+        each_body([&](auto& b, auto& sweeps) {
+            this->template update<gradient, strains>(b, sweeps, T(real(order::after) * dt_));
+        });
+    }
+
+  private:
+    static constexpr bool acts_on_momentum = [] {
+        if constexpr (C::own_velocities)
+            return C::touch::method_type::on_momentum;
+        else
+            return true;
+    }();
+
+    template <class Gradient, bool Strains, class B, class Sweeps>
+    void update(B& b, Sweeps& sweeps, const T& strain_dt) {
+        using gathers = typename C::gathers;
+        using kernel =
+            detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains, C::particles_go>;
+        sweeps.template gather_each<gathers, Gradient>(b, kernel{b.law, mpm.transfer_.particle, dt(), strain_dt});
+    }
+    void find_columns() {
+        auto& held = mpm.field_.held;
+        auto& table = mpm.field_.sweeps.nodes();
+        for (int batch = 0, n = held.batches(); batch < n; ++batch) {
+            set_zero<field::increment>();
+            held.template start_columns<field::increment>(table, batch);
+            mpm.transfer_.mass.each_term(*this, [&] { held.template add_columns<field::increment>(table, batch); });
+        }
+    }
+    /// The node tables of all velocity fields, in the order of the bodies.
+    auto tables() {
+        std::array<const typename Solver::sweeps_type::nodes_type*, sizeof...(Body)> all_tables;
+        for (std::size_t k = 0; k < sizeof...(Body); ++k) all_tables[k] = &mpm.field_of(k).sweeps.nodes();
+        return all_tables;
+    }
+    void find_contact() {
+        using touch = typename C::touch;
+        const auto fields_of = tables();
+        mpm.contact_.find(fields_of, [&](std::size_t k, std::size_t place) -> real {
+            const real m = fields_of[k]->template column<field::mass>()[place];
+            if constexpr (C::moves) return m;
+            return m > real(0) ? real(1) / m : real(0);
+        });
+        if (!mpm.contact_.any()) return;
+        if constexpr (touch::by_mass || touch::by_place) {
+            using list = on_nodes_t<touch>;
+            if constexpr (touch::by_mass) set_zero<field::mass_gradient>();
+            if constexpr (touch::by_place) set_zero<field::mass_place>();
+            const contact_to_nodes<S, typename C::shape, touch::by_mass, touch::by_place> kernel{};
+            each_body(
+                [&](auto& b, auto& sweeps) { sweeps.template scatter<fields<const field::mass>, list>(b, kernel); });
+        }
+        mpm.contact_.measure(fields_of);
+    }
+};
+
+}  // namespace detail
+}  // namespace tamis
