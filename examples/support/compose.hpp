@@ -28,6 +28,13 @@ template <class F> bar_result with_update(const bar_options& o, F f) {
     if (o.update == "xpic") return f(tamis::xpic<tamis::dynamic>{o.order});
     return f(tamis::fmpm<tamis::dynamic>{o.order});
 }
+/// Conditions have a choice of methods where the mass matrix is full.
+template <class Update> auto boundary_method_for(const Update&, const bar_options& o) {
+    if constexpr (Update::mass_type::full)
+        return tamis::boundary_method::chosen{o.boundary};
+    else
+        return tamis::boundary_method::incremental{};
+}
 template <class F> bar_result with_stress_order(const bar_options& o, F f) {
     if (o.stress == "usf") return f(tamis::usf{});
     if (o.stress == "usl-") return f(tamis::usl_minus{});
@@ -44,8 +51,15 @@ template <class Shape, class Motion, class Real> bar_result run_bar_with(const b
         {Real(0)}, {Real(bar_scene::length)}, Real(bar_scene::length) / Real(o.cells)};
     return compose::with_update(o, [&](auto update) {
         return compose::with_stress_order(o, [&](auto order) {
-            tamis::solver mpm{
-                grid, Shape{}, update, order, scene.ends(o.amplitude), Motion{}, compose::execution(o.threads)};
+            const auto boundary = compose::boundary_method_for(update, o);
+            tamis::solver mpm{grid,
+                              Shape{},
+                              update,
+                              order,
+                              scene.ends(o.amplitude),
+                              boundary,
+                              Motion{},
+                              compose::execution(o.threads)};
             return compose::run(mpm, scene, o);
         });
     });

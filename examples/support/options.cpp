@@ -59,8 +59,9 @@ bool read_options(bar_options& o, const bar_scene& scene, int argc, const char* 
     app.add_option("--alpha", o.alpha, "Share of FLIP in a blend, 0 to 1")->check(CLI::Range(0.0, 1.0));
     app.add_option("--stress", o.stress, "When the particles are strained")
         ->check(one_of({"usf", "usl-", "usl+", "usavg-", "usavg+", "euler"}));
-    app.add_option("--boundary", o.boundary, "How conditions enter the full mass matrix")
-        ->check(one_of({"incremental"}));
+    app.add_option("--boundary", o.boundary, "How conditions enter the full mass matrix of fmpm")
+        ->check(one_of(
+            {"incremental", "lumped", "velocity", "combined", "unlumped1", "unlumped2", "partial", "collected"}));
     app.add_option("--particles", o.particles, "Do particles move with the material?")
         ->check(one_of({"moving", "held"}));
     auto* steps =
@@ -88,6 +89,8 @@ bool read_options(bar_options& o, const bar_scene& scene, int argc, const char* 
     for (const auto* path : {&o.csv, &o.dump, &o.summary})
         if (path->empty() && app.count(path == &o.csv ? "--csv" : path == &o.dump ? "--dump" : "--summary") > 0)
             throw bad_option("an output has an empty name; give a folder for --csv, a file for --dump and --summary");
+    if (o.boundary != "incremental" && o.update != "fmpm")
+        throw bad_option("--boundary: methods differ for a full mass matrix only; give --update fmpm, or leave it out");
     const double needed = o.time * bar_scene::wave_speed * o.cells / (o.courant * bar_scene::length);
     if (o.steps == 0 && !(needed <= most_steps))
         throw bad_option("--courant, --time: they ask for " + CLI::detail::to_string(needed) +

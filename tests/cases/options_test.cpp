@@ -108,6 +108,7 @@ TEST_CASE("every option is taken") {
     for (const std::string particles : {"moving", "held"})
         CHECK(with("--particles " + particles)["particles"] == particles);
     CHECK(with("--boundary incremental")["boundary"] == "incremental");
+    CHECK(with("--update fmpm --boundary collected")["boundary"] == "collected");
     for (const std::string precision : {"float", "double"})
         CHECK(with("--precision " + precision)["precision"] == precision);
     CHECK(with("--amplitude 0.002")["amplitude"] == 0.002);
@@ -171,6 +172,7 @@ TEST_CASE("bad options get one line and exit code 2, and leave nothing") {
                                                                      "--alpha 1.5",
                                                                      "--stress usl",
                                                                      "--boundary lumped",
+                                                                     "--update fmpm --boundary nitsche",
                                                                      "--particles fixed",
                                                                      "--steps 0",
                                                                      "--steps -5",

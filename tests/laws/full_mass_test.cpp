@@ -80,6 +80,9 @@ template <class Method> void balances(const Method& method) {
         CHECK(driven_bar(3, usl_plus{}, fmpm<dynamic>{k}, method, held{}).unbalanced < 1e-14);
     }
     CHECK(unbalanced_block(fmpm<3>{}, method) < 1e-15);
+    const auto fixed_choice = driven_bar(2, linear{}, fmpm<dynamic>{3}, method);
+    CHECK(difference(fixed_choice, driven_bar(2, linear{}, fmpm<dynamic>{3}, boundary_method::chosen{Method::name})) ==
+          0);
 }
 
 }  // namespace
@@ -124,6 +127,52 @@ TEST_CASE("full mass: every boundary method tells the reaction that balances mom
     balances(unlumped2{});
     balances(partial{});
     balances(collected{});
+}
+
+TEST_CASE("full mass: columns of the inverse, and the acceleration that it gives") {
+    solver mpm{uniform_grid{{0.}, {1.}, 0.1}, linear{}, fmpm<40>{}, read_out<field::full_acceleration>{}};
+    auto bar = mpm.make_body(law, everywhere, per_cell{3});
+    set_velocity_of(bar, [](const auto& at) { return 0.01 * std::sin(2 * pi * at[0]); });
+    mpm.step(bodies(bar), 0.02);
+    // M~ c = e for the column c of a node: M~ assembled here from the particles' tents.
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(11, 11);
+    for (const auto p : std::as_const(bar)) {
+        const double r = p[x][0] / 0.1;
+        const int i = std::min(9, static_cast<int>(r));
+        Eigen::Vector2d w(1 - (r - i), r - i);
+        matrix.block<2, 2>(i, i) += p[m] * w * w.transpose();
+    }
+    const auto c = mpm.inverse_column(bodies(bar), {4, 0, 0});
+    REQUIRE(c.size() == 11);
+    const Eigen::VectorXd unit = matrix * Eigen::Map<const Eigen::VectorXd>(c.data(), 11);
+    for (int k = 0; k < 11; ++k) CHECK(std::abs(unit[k] - (k == 4 ? 1 : 0)) < 1e-6);
+
+    // M~ a = f = m a_lumped, of the step that begins here.
+    mpm.step(bodies(bar), 0.02);
+    Eigen::VectorXd full(11), lumped(11);
+    for (int k = 0; k <= 10; ++k) {
+        full[k] = mpm.on_node(field::full_acceleration{}, {k, 0, 0})[0];
+        lumped[k] = mpm.on_node(field::acceleration{}, {k, 0, 0})[0];
+    }
+    const Eigen::VectorXd force = matrix.rowwise().sum().cwiseProduct(lumped);
+    CHECK((matrix * full - force).norm() < 1e-6 * force.norm());
+    CHECK((full - lumped).norm() > 1e-2 * full.norm());
+}
+
+TEST_CASE("full mass: an update's Lagrangian error is read, and is none for FMPM") {
+    const auto error_of = [](const auto& scheme) {
+        solver mpm{uniform_grid{{0.}, {1.}, 0.1}, scheme};
+        auto bar = mpm.make_body(law, everywhere, per_cell{2}, fields<field::update_error>{});
+        set_velocity_of(bar, [](const auto& at) { return 0.01 * std::sin(40 * at[0]); });
+        for (int k = 0; k < 5; ++k) mpm.step(bodies(bar), 0.02);
+        double most = 0;
+        for (const auto p : std::as_const(bar)) most = std::max(most, std::abs(p[field::update_error{}][0]));
+        return most;
+    };
+    CHECK(error_of(fmpm<2>{}) < 1e-17);
+    CHECK(error_of(flip{}) > 1e-4);
+    CHECK(error_of(xpic<2>{}) > 1e-4);
+    CHECK(error_of(pic{}) > 1e-5);
 }
 
 TEST_CASE("full mass: bad parameters and a singular matrix get a sentence") {

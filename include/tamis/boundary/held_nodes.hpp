@@ -37,8 +37,17 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     static constexpr int D = S::dim;
     static constexpr bool any = !requires { requires Boundary::never; };
 
-    held_nodes(const Boundary& boundary, const lattice_type& lattice) : boundary_(boundary) {
+    /// `chosen`: the method, where it is chosen at run time.
+    held_nodes(const Boundary& boundary, const lattice_type& lattice, held_by chosen = How)
+        : boundary_(boundary), chosen_(chosen) {
         if constexpr (any) find(lattice);
+    }
+
+    held_by how() const {
+        if constexpr (How == held_by::chosen_at_run_time)
+            return chosen_;
+        else
+            return How;
     }
 
     /// Momentum p takes its held values of time t. `share` is the part of that change that reaches the particles.
@@ -48,7 +57,7 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
             set_values(t);
             each([&](entry& e) {
                 if (masses_are_new) take_mass(nodes, e);
-                if constexpr (on_momentum(How))
+                if (on_momentum(how()))
                     e.node.reaction = impose(nodes, e) * (constant<real>(share) * inverse_dt);
                 else
                     e.node.reaction.setZero();
@@ -61,7 +70,7 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
         if constexpr (any) {
             each([](entry& e) { e.before = e.node.velocity; });
             set_values(t);
-            if constexpr (!on_momentum(How)) return;
+            if (!on_momentum(how())) return;
             each([&](entry& e) {
                 if (!(e.mass > real(0))) return;
                 const vector p = get<field::momentum>(nodes, e.place) * (HoldsVelocity ? e.mass : real(1));
@@ -80,13 +89,14 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     template <class Nodes> void extrapolated(const Nodes& nodes, double t) {
         if constexpr (any) {
             set_values(t);
-            if constexpr (on_momentum(How)) each([&](entry& e) { impose(nodes, e); });
+            if (on_momentum(how())) each([&](entry& e) { impose(nodes, e); });
         }
     }
     /// Held components of an increment become zero, in it and in the sum it was already added to.
     template <class Increment, class Sum, class Nodes>
     void increment(const Nodes& nodes, const real& inverse_dt, bool counts) {
-        if constexpr (any && How == held_by::increments)
+        if constexpr (any && (How == held_by::increments || How == held_by::chosen_at_run_time)) {
+            if (how() != held_by::increments) return;
             each([&](entry& e) {
                 const vector dv = get<Increment>(nodes, e.place), sum = get<Sum>(nodes, e.place);
                 vector gone = vector::Zero();
@@ -95,6 +105,7 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
                 put<Sum>(nodes, e.place, vector(sum - gone));
                 if (counts) e.node.reaction -= gone * (e.mass * inverse_dt);
             });
+        }
     }
 
     /// Keeps the nodes' lumped velocities, which the full mass matrix is about to change.
@@ -110,19 +121,19 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
             if (counts) e.node.reaction += change * (e.mass * inverse_dt);
         });
     }
-    /// Puts into `Increment` (zero until now) the velocity that, by `How`, the conditions add to held nodes; `To` holds
-    /// the full mass matrix's result.
+    /// Puts into `Increment` (zero until now) the velocity that, by the method, the conditions add to held nodes; `To`
+    /// holds the full mass matrix's result.
     template <class Increment, class To, class Nodes>
     void correct(const Nodes& nodes, const real& inverse_dt, bool counts) {
-        if constexpr (How == held_by::collected) solve_collected<To>(nodes);
+        if (how() == held_by::collected) solve_collected<To>(nodes);
         each([&](entry& e) {
             if (!(e.mass > real(0))) return;
             vector change;
-            if constexpr (How == held_by::unlumped1)
+            if (how() == held_by::unlumped1)
                 change = missing(e, e.lumped);
-            else if constexpr (How == held_by::unlumped2)
+            else if (how() == held_by::unlumped2)
                 change = missing(e, get<To>(nodes, e.place));
-            else if constexpr (How == held_by::partial)
+            else if (how() == held_by::partial)
                 change = missing(e, e.lumped) / (e.mass * inverse_(e.row, e.row));
             else
                 change = e.lumped;
@@ -220,6 +231,7 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     };
     using sum_type = std::conditional_t<std::is_same_v<real, float>, double, real>;
     Boundary boundary_;
+    [[maybe_unused]] held_by chosen_;
     std::vector<entry> entries_;
     std::vector<given> given_;
     std::vector<repeated> repeated_;

@@ -1,11 +1,24 @@
 #pragma once
+#include <tamis/core/error.hpp>
+
+#include <array>
 #include <string_view>
 
 namespace tamis {
 
 namespace detail {
 
-enum class held_by { increments, lumped, velocity, combined, unlumped1, unlumped2, partial, collected };
+enum class held_by {
+    increments,
+    lumped,
+    velocity,
+    combined,
+    unlumped1,
+    unlumped2,
+    partial,
+    collected,
+    chosen_at_run_time
+};
 
 /// Is the condition imposed on the lumped momentum, before the mass matrix acts?
 constexpr bool on_momentum(held_by how) {
@@ -66,5 +79,40 @@ struct collected {
     static constexpr auto how = detail::held_by::collected;
 };
 
+/// One of these, by its name, chosen at run time. Throws `error` if there is none of that name.
+class chosen {
+  public:
+    static constexpr std::string_view name = "chosen";
+    static constexpr auto how = detail::held_by::chosen_at_run_time;
+    explicit chosen(std::string_view method) {
+        constexpr std::array names{incremental::name, lumped::name,    velocity::name, combined::name,
+                                   unlumped1::name,   unlumped2::name, partial::name,  collected::name};
+        for (std::size_t k = 0; k < names.size(); ++k)
+            if (names[k] == method) {
+                now_ = static_cast<detail::held_by>(k);
+                return;
+            }
+        throw error(detail::sentence("boundary_method::chosen: there is no method \"", method,
+                                     "\"; give incremental, lumped, velocity, combined, unlumped1, unlumped2, partial "
+                                     "or collected"));
+    }
+    detail::held_by now() const { return now_; }
+
+  private:
+    detail::held_by now_ = detail::held_by::increments;
+};
+
 }  // namespace boundary_method
+
+namespace detail {
+
+/// The method of a policy, known now.
+template <class Method> constexpr held_by method_of(const Method& method) {
+    if constexpr (Method::how == held_by::chosen_at_run_time)
+        return method.now();
+    else
+        return Method::how;
+}
+
+}  // namespace detail
 }  // namespace tamis

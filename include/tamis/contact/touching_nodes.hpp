@@ -77,14 +77,16 @@ template <class S, class Shape, class Contact> class touching_nodes {
             });
     }
 
-    /// Momenta p of the step's start, or of an extrapolation after it.
-    template <class Fields> void momentum(const Fields& fields) {
+    /// Momenta p of the step's start, or of an extrapolation after it. `felt`: 1/dt times the share of their change that
+    /// reaches the particles.
+    template <class Fields> void momentum(const Fields& fields, const real& felt = real(0)) {
         for (entry& e : nodes_) {
             const vector p[2] = {get<field::momentum>(*fields[e.field[0]], e.place),
                                  get<field::momentum>(*fields[e.field[1]], e.place)};
             const vector j = impulse(e, p[1] / e.mass[1] - p[0] / e.mass[0]);
             put<field::momentum>(*fields[e.field[0]], e.place, vector(p[0] + j));
             put<field::momentum>(*fields[e.field[1]], e.place, vector(p[1] - j));
+            e.force += felt * j;
         }
     }
     /// Forces f: those that carry p (its column may hold the velocity already) to a momentum that the contact allows.
@@ -98,10 +100,11 @@ template <class S, class Shape, class Contact> class touching_nodes {
                 v[k] += f[k] * (dt / e.mass[k]);
             }
             const vector j = impulse(e, v[1] - v[0]);
-            e.force = j / dt;
+            const vector pushes = j / dt;
+            e.force += pushes;
             heat_ += to_double(e.heat);
-            put<field::force>(*fields[e.field[0]], e.place, vector(f[0] + e.force));
-            put<field::force>(*fields[e.field[1]], e.place, vector(f[1] - e.force));
+            put<field::force>(*fields[e.field[0]], e.place, vector(f[0] + pushes));
+            put<field::force>(*fields[e.field[1]], e.place, vector(f[1] - pushes));
         }
     }
     /// A velocity after the series.
@@ -112,7 +115,7 @@ template <class S, class Shape, class Contact> class touching_nodes {
             put<To>(*fields[e.field[0]], e.place, vector(v[0] + j / e.mass[0]));
             put<To>(*fields[e.field[1]], e.place, vector(v[1] - j / e.mass[1]));
             if (!counts) continue;
-            e.force = j / dt;
+            e.force += j / dt;
             heat_ += to_double(e.heat);
         }
     }
@@ -145,7 +148,7 @@ template <class S, class Shape, class Contact> class touching_nodes {
     auto nodes() const {
         std::vector<touching_node<D, real>> all;
         for (const entry& e : nodes_)
-            if (e.state != contact_state::apart)
+            if (e.state != contact_state::apart || !e.force.isZero(real(0)))
                 all.push_back({lattice_.place_of(e.place), static_cast<int>(e.field[0]), static_cast<int>(e.field[1]),
                                e.normal, e.force, e.state == contact_state::slides});
         return all;

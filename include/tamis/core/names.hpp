@@ -47,6 +47,12 @@ struct displacement : vector_field {
     static constexpr std::string_view name = "displacement";
 };
 
+/// Error of a particle's last Lagrangian update (m/s): V_mean - V with X' = X + V_mean dt + A dt^2/2 and A = (V' -
+/// V)/dt (numerics.md, section 4). Kept current where somebody asks for it and particles move.
+struct update_error : vector_field {
+    static constexpr std::string_view name = "update_error";
+};
+
 /// 1/m of a node, 0 where there is no mass; takes the mass's column.
 struct inverse_mass : scalar_field {
     using shares = mass;
@@ -86,6 +92,10 @@ struct increment : vector_field {
 /// S^T M S times the increment (N s).
 struct image : vector_field {
     static constexpr std::string_view name = "image";
+};
+/// Acceleration of a node by the full mass matrix, M~_k^-1 f (m/s^2). Made where `read_out` asks for it.
+struct full_acceleration : vector_field {
+    static constexpr std::string_view name = "full_acceleration";
 };
 /// sum G_pi M_p of a node (kg/m): points out of the body, down its mass's gradient.
 struct mass_gradient : vector_field {

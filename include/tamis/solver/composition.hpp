@@ -27,6 +27,7 @@ enum class role {
     execution,
     lanes,
     leaving,
+    read_out,
     none
 };
 
@@ -83,6 +84,8 @@ template <class P, class Point> consteval role role_of() {
         return role::lanes;
     else if constexpr (Leaving<P>)
         return role::leaving;
+    else if constexpr (requires { typename P::read_from_nodes; })
+        return role::read_out;
     else
         return role::none;
 }
@@ -112,7 +115,8 @@ template <class P, class Point> struct is_policy {
     static_assert(
         role_v<P, Point> != role::none,
         "tamis: an argument of solver{...} is no policy: it has the members of none of shape, transfer, stress "
-        "order, boundary condition, boundary method, contact, load, motion, execution, lanes, leaving; compare it with "
+        "order, boundary condition, boundary method, contact, load, motion, execution, lanes, leaving, read-out; "
+        "compare it with "
         "docs/concepts.md");
     static constexpr bool value = role_v<P, Point> != role::none;
 };
@@ -134,6 +138,7 @@ template <class Grid, class... P> struct composition {
     using load = typename by_role<role::load, unloaded>::type;
     using motion = typename by_role<role::motion, moving>::type;
     using execution = typename by_role<role::execution, serial>::type;
+    using read = typename by_role<role::read_out, read_out<>>::type::read_from_nodes;
     using lane_policy = typename by_role<role::lanes, native_lanes>::type;
     using leaving = typename by_role<role::leaving, leaving_stops>::type;
 
@@ -150,6 +155,9 @@ template <class Grid, class... P> struct composition {
     ? held_by::collected : method::how;
     static_assert(method::how == how || method::how == held_by::increments,
                   "tamis: with an exact mass matrix conditions hold exactly; leave the boundary method out");
+
+    static_assert(mass::full || !contains<read, field::full_acceleration>,
+                  "tamis: field::full_acceleration needs a full mass matrix; give fmpm<k> with k > 1");
 
     /// Has each body a velocity field of its own?
     static constexpr bool own_velocities = !requires { requires touch::never; };
@@ -185,7 +193,7 @@ template <class Grid, class... P> struct composition {
 
     using node_fields = merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
                               std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>,
-                              fields<strains_after>, on_nodes_t<touch>>;
+                              fields<strains_after>, on_nodes_t<touch>, read>;
     /// What the step itself needs of a particle.
     using step_fields = merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
                               std::conditional_t<moves, on_particles_t<shape>, fields<>>,

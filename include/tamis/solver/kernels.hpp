@@ -154,6 +154,9 @@ template <class S, class Law, class Update, class Gathers, bool Strains, where_t
         if constexpr (Strains) strain_slot<S>(law, slot, occupied, at, g.gradient, strain_dt);
         if constexpr (Moves != where_to::nowhere) {
             const typename S::vector moved = update.displacement(before, after, near, dt);
+            if constexpr (stores<typename Slot::list, field::update_error>)
+                slot.template get<field::update_error>() =
+                    moved / dt - (before + after) * constant<typename S::scalar>(0.5);
             if constexpr (Moves == where_to::displacement)
                 slot.template get<field::displacement>() = moved;
             else

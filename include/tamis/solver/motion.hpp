@@ -1,4 +1,6 @@
 #pragma once
+#include <tamis/core/fields.hpp>
+
 #include <string_view>
 
 namespace tamis {
@@ -27,6 +29,11 @@ struct leaving_clamps {
 struct leaving_removes {
     static constexpr auto when_leaving = leaving_stops::choice::remove;
 };
+
+/// Node fields that the step makes for the user to read, by `mpm.on_node(field, index)` after it.
+///
+///     solver mpm{grid, fmpm<4>{}, read_out<field::full_acceleration>{}};
+template <class... F> struct read_out { using read_from_nodes = fields<F...>; };
 
 namespace detail {
 

@@ -111,34 +111,22 @@ template <class Solver, class... Body> struct passes {
     /// The lumped velocity becomes the full one in `To`, conditions by the composed method. `felt`: do particles take
     /// it, so that what conditions do is a reaction?
     template <class To> void full_velocity(bool felt) {
-        constexpr held_by how = C::how;
+        constexpr held_by composed = C::how;
         const auto& mass = mpm.transfer_.mass;
-        if constexpr (how == held_by::increments || how == held_by::lumped || !Solver::held_type::any) {
+        if constexpr (composed == held_by::increments || composed == held_by::lumped || !Solver::held_type::any) {
             mass.template filter<To>(felt, *this);
             if constexpr (C::own_velocities)
                 if (!acts_on_momentum) mpm.contact_.template velocity<To>(tables(), dt_, felt);
         } else {
+            const held_by how = mpm.field_.held.how();
             each_held([](auto& held, auto& table) { held.remember(table); });
             mass.template filter<To>(felt, *this);
-            if constexpr (how == held_by::velocity || how == held_by::combined)
+            if (how == held_by::increments || how == held_by::lumped) return;
+            if (how == held_by::velocity || how == held_by::combined) {
                 each_held([&](auto& held, auto& table) { held.template impose_velocity<To>(table, inverse_dt, felt); });
-            else {
-                static_assert(
-                    requires { mass.template series<To>(felt, *this); },
-                    "tamis: this boundary method needs a mass matrix whose inverse has a fixed number of terms; give "
-                    "fmpm<k>, or boundary_method::incremental");
-                if constexpr (by_columns(how)) find_columns();
-                set_zero<field::increment>();
-                each_held([&](auto& held, auto& table) {
-                    held.template correct<field::increment, To>(table, inverse_dt, felt);
-                });
-                if constexpr (how == held_by::unlumped1 || how == held_by::unlumped2) {
-                    spread_increment();
-                    nodes(image_to_increment{});
-                }
-                nodes(add_increment<To>{});
-                mass.template series<To>(felt, *this);
+                return;
             }
+            if constexpr (composed != held_by::velocity && composed != held_by::combined) correct<To>(how, felt);
         }
     }
     /// SdV = S^T M S dv.
@@ -213,6 +201,50 @@ template <class Solver, class... Body> struct passes {
         using kernel =
             detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains, C::particles_go>;
         sweeps.template gather_each<gathers, Gradient>(b, kernel{b.law, mpm.transfer_.particle, dt(), strain_dt});
+    }
+
+  public:
+    /// M~_k^-1 f for whoever reads it: by linearity what v+ gains over v, per dt.
+    void full_acceleration() {
+        if constexpr (contains<typename C::read, field::full_acceleration>) {
+            nodes(copy_field<field::acceleration, field::increment>{});
+            nodes(copy_field<field::acceleration, field::full_acceleration>{});
+            mpm.transfer_.mass.template series<field::full_acceleration>(false, *this);
+        }
+    }
+    /// sum A^l m^-1 of the unit vector of the node at a place, per place.
+    std::vector<real> inverse_column(std::size_t at) {
+        auto& table = mpm.field_.sweeps.nodes();
+        real* const column = table.template column<field::increment>();
+        std::vector<real> sum(mpm.lattice_.size(), real(0));
+        set_zero<field::increment>();
+        column[at] = table.template column<field::inverse_mass>()[at];
+        mpm.transfer_.mass.each_term(*this, [&] {
+            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += column[k];
+        });
+        return sum;
+    }
+
+  private:
+    /// What the conditions add to a full velocity that did not know of them.
+    template <class To> void correct(held_by how, bool felt) {
+        const auto& mass = mpm.transfer_.mass;
+        static_assert(
+            requires { mass.template series<To>(felt, *this); },
+            "tamis: this boundary method needs a mass matrix whose inverse has a fixed number of terms; give fmpm<k>, "
+            "or boundary_method::incremental");
+        if (by_columns(how)) find_columns();
+        set_zero<field::increment>();
+        each_held(
+            [&](auto& held, auto& table) { held.template correct<field::increment, To>(table, inverse_dt, felt); });
+        if (how == held_by::unlumped1 || how == held_by::unlumped2) {
+            if constexpr (stores<typename C::node_fields, field::image>) {
+                spread_increment();
+                nodes(image_to_increment{});
+            }
+        }
+        nodes(add_increment<To>{});
+        mass.template series<To>(felt, *this);
     }
     void find_columns() {
         auto& held = mpm.field_.held;

@@ -83,6 +83,39 @@ template <class Grid, class... Policies> class solver {
     double friction_heat() const requires C::own_velocities { return contact_.heat(); }
     /// Particles that went to another cell, since the start.
     std::size_t crossings() const { return crossings_; }
+    /// A node field as the last step left it, at node (i, j, k): a vector. Nodes outside the bodies' reach have 0.
+    template <class F> point<dim, real> on_node(F, const std::array<int, 3>& node) const {
+        static_assert(stores<typename C::node_fields, F> && F::template components<S> == dim,
+                      "tamis: the composition has no such vector field on its nodes; ask for it by read_out<F>{}");
+        point<dim, real> value;
+        for (int d = 0; d < dim; ++d) value[d] = field_.sweeps.nodes().template column<F>(d)[lattice_.node_place(node)];
+        return value;
+    }
+    /// Column of the full mass matrix's inverse by the composed number of terms, that of node (i, j, k), where the
+    /// particles are now and without conditions (1/kg); per node of the grid, i fastest. Its sum over columns times m
+    /// is 1 in every row.
+    template <class... Body>
+    std::vector<real> inverse_column(std::tuple<Body&...> all, const std::array<int, 3>& node) requires C::mass::full {
+        static_assert(!C::own_velocities && C::how != detail::held_by::collected,
+                      "tamis: columns of the inverse are those of one velocity field and a series of terms");
+        prepare(all);
+        detail::passes<solver, Body...> now{*this, all, real(1)};
+        if constexpr (C::moves) {
+            now.template set_zero<field::mass>();
+            now.each_body([](auto& b, auto& sweeps) {
+                sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(b, detail::mass_to_nodes{});
+            });
+            now.nodes(detail::invert_mass{});
+        }
+        const std::vector<real> places = now.inverse_column(lattice_.node_place(node));
+        std::vector<real> column;
+        std::array<int, 3> n{0, 0, 0};
+        for (int d = 0; d < dim; ++d) n[static_cast<std::size_t>(d)] = grid().cells(d);
+        for (int k = 0; k <= n[2]; ++k)
+            for (int j = 0; j <= n[1]; ++j)
+                for (int i = 0; i <= n[0]; ++i) column.push_back(places[lattice_.node_place({i, j, k})]);
+        return column;
+    }
     /// Terms of the full mass matrix's series that the last step took, and the size of the last one; 0 unless the
     /// scheme looks (`adaptive_fmpm`).
     const series_report& series() const { return series_; }
@@ -167,6 +200,7 @@ template <class Grid, class... Policies> class solver {
                 now.template accelerate<true>();
             }
         }
+        now.full_acceleration();
         if constexpr (C::mass::full)
             now.template full_velocity<field::velocity>(true);
         else
@@ -202,7 +236,7 @@ template <class Grid, class... Policies> class solver {
         sweeps_type sweeps;
         held_type held;
         explicit velocity_field(const solver& of)
-            : sweeps(of.shape_, of.lattice_, of.run_), held(of.boundary_, of.lattice_) {}
+            : sweeps(of.shape_, of.lattice_, of.run_), held(of.boundary_, of.lattice_, of.how_) {}
     };
     template <class, class...> friend struct detail::passes;
     template <class Body> static constexpr bool serves = std::same_as<typename Body::lattice_type, lattice_type>&&
@@ -213,6 +247,7 @@ template <class Grid, class... Policies> class solver {
     typename C::execution run_;
     lattice_type lattice_;
     typename C::boundary boundary_;
+    detail::held_by how_;
     velocity_field field_;
     // Of the second body, the third, ... where each has its own.
     std::vector<std::unique_ptr<velocity_field>> further_;
@@ -234,6 +269,9 @@ template <class Grid, class... Policies> class solver {
           run_(pick<detail::role::execution, serial>(all)),
           lattice_(grid),
           boundary_(pick<detail::role::boundary, unbounded>(all)),
+          how_(C::how == detail::held_by::chosen_at_run_time
+                   ? detail::method_of(pick<detail::role::boundary_method, boundary_method::incremental>(all))
+                   : C::how),
           field_(*this),
           contact_(pick<detail::role::contact, one_velocity>(all), lattice_) {}
 
