@@ -3,8 +3,12 @@
 
 namespace laws {
 
-/// What a position update adds to the fall of n^2/2 g dt^2 in n steps, in n/2 g dt^2: updates by the velocity of the
-/// step's end are ahead by one, those by the mean velocity are exact (method page, section 4).
+/// What a position update adds to the fall of n^2/2 g dt^2 in n steps, in n/2 g dt^2. All velocities are equal, V_n =
+/// n g dt, so S p/m = V and S v+ = V + g dt. Hence in step n, from n - 1,
+///
+///     FLIP, PIC, blends   X' - X = S v+ dt = n g dt^2                        X_n = n (n + 1)/2 g dt^2    ahead by one
+///     FLIP(psi)           X' - X = (S v+ - psi g dt/2) dt                    X_n = n (n + 1 - psi)/2 g dt^2
+///     XPIC(k), FMPM(k)    X' - X = (V + V')/2 dt = (n - 1/2) g dt^2          X_n = n^2/2 g dt^2          exact
 inline double lead(const auto&) { return 1; }
 inline double lead(const modified_flip& scheme) { return 1 - scheme.particle.psi; }
 template <int K> double lead(const xpic<K>&) { return 0; }

@@ -31,6 +31,15 @@ TEST_CASE("1D, moving: free flight over many cells") {
 }
 TEST_CASE("1D, moving: free fall") {
     each([](const auto& c) { fall<1>(c); });
+    fall<1>(composed{linear{}, pic{}, usl_minus{}});
+    for (const double part : {0., 0.5, 1.}) {
+        fall<1>(composed{quadratic_spline{}, modified_flip{part}, usavg_minus{}});
+        fall<1>(composed{linear{}, blend{part}, usavg_plus{}});
+    }
+    for (int k = 1; k <= 8; ++k) {
+        fall<1>(composed{quadratic_spline{}, fmpm<dynamic>{k}, usavg_plus{}});
+        fall<1>(composed{cubic_spline{}, xpic<dynamic>{k}, usavg_plus{}});
+    }
 }
 TEST_CASE("1D, moving: a linear velocity field strains evenly") {
     each([](const auto& c) { patch<1>(c, 1); });

@@ -57,8 +57,13 @@ template <class Normal> struct given_normal {
         // Asked this way round: an Eigen vector can be "called" with another, as with a list of indices.
         if constexpr (std::convertible_to<Normal, Point>)
             return normal;
-        else
+        else {
+            static_assert(
+                std::invocable<const Normal&, const Point&>,
+                "tamis: the contact's normal is neither a vector of the grid's dimension nor a function of the "
+                "place; give as many components as the grid has axes");
             return normal(at);
+        }
     }
 };
 template <class Normal> given_normal(Normal) -> given_normal<Normal>;
@@ -97,6 +102,12 @@ struct velocity {
 template <class Law, class Normal = normal_by_mass, class Detection = by_approach,
           class Method = contact_method::incremental>
 struct contact {
+    static_assert(
+        requires(const Law& l) {
+            { l.tangential(1., 1.) } -> std::convertible_to<double>;
+        },
+        "tamis: the contact law has no tangential(normal, stick), the tangential impulse that goes with a "
+        "normal one; give it that member, or take bonded, frictionless or coulomb");
     using law_type = Law;
     using method_type = Method;
     static constexpr bool always = requires { requires Law::always; };

@@ -77,8 +77,8 @@ template <class S, class Shape, class Contact> class touching_nodes {
             });
     }
 
-    /// Momenta p of the step's start, or of an extrapolation after it. `felt`: 1/dt times the share of their change that
-    /// reaches the particles.
+    /// Momenta p of the step's start, or of an extrapolation after it. `felt`: 1/dt times the share of their change
+    /// that reaches the particles.
     template <class Fields> void momentum(const Fields& fields, const real& felt = real(0)) {
         for (entry& e : nodes_) {
             const vector p[2] = {get<field::momentum>(*fields[e.field[0]], e.place),

@@ -60,6 +60,10 @@ concept Leaving = requires {
     { P::when_leaving } -> std::convertible_to<leaving_stops::choice>;
 };
 
+/// Does contact act before the mass matrix does?
+template <class Touch> inline constexpr bool contact_acts_early = true;
+template <ContactPolicy Touch> inline constexpr bool contact_acts_early<Touch> = Touch::method_type::on_momentum;
+
 /// What a policy is for, told from its members.
 template <class P, class Point> consteval role role_of() {
     if constexpr (ShapeFunction<P>)
@@ -161,6 +165,10 @@ template <class Grid, class... P> struct composition {
 
     /// Has each body a velocity field of its own?
     static constexpr bool own_velocities = !requires { requires touch::never; };
+    static_assert(
+        mass::full || contact_acts_early<touch>,
+        "tamis: contact_method::velocity corrects what the full mass matrix gave; give fmpm<k> with k > 1, or "
+        "contact_method::incremental");
     static_assert(!own_velocities || how == held_by::increments,
                   "tamis: contact goes with boundary_method::incremental only, and with no exact mass matrix");
 

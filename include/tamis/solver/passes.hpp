@@ -69,11 +69,11 @@ template <class Solver, class... Body> struct passes {
     }
     /// The momentum of the step's start.
     void start(double t) {
+        const double share = mpm.transfer_.particle.start_share();
         if constexpr (C::own_velocities) {
             find_contact();
-            mpm.contact_.momentum(tables());
+            mpm.contact_.momentum(tables(), constant<real>(share) * inverse_dt);
         }
-        const double share = mpm.transfer_.particle.start_share();
         each_held([&](auto& held, auto& table) { held.start(table, t, C::moves, inverse_dt, share); });
     }
     /// The forces, which carry the momentum to what it may be at the end.
@@ -264,8 +264,8 @@ template <class Solver, class... Body> struct passes {
     void find_contact() {
         using touch = typename C::touch;
         const auto fields_of = tables();
-        mpm.contact_.find(fields_of, [&](std::size_t k, std::size_t place) -> real {
-            const real m = fields_of[k]->template column<field::mass>()[place];
+        mpm.contact_.find(fields_of, [&](std::size_t k, std::size_t at) -> real {
+            const real m = fields_of[k]->template column<field::mass>()[at];
             if constexpr (C::moves) return m;
             return m > real(0) ? real(1) / m : real(0);
         });
