@@ -115,6 +115,8 @@ class reference_run {
     /// `precision`, or if it has another mass or volume, or was asked for before.
     std::pair<std::size_t, particle_values> claim(const three& at, double mass, double volume, double precision);
     void step(double dt);
+    /// sqrt(sum m |dv_k|^2 / sum m) of the last step's series (m/s).
+    double last_increment() const;
 
     /// Particle by particle what the library found, then the comparison.
     void found(std::size_t number, const particle_values& values);

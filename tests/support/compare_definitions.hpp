@@ -45,6 +45,7 @@ struct reference_run::data {
     int steps = 0;
     double time = 0;
     Eigen::MatrixXd reactions;
+    double last_increment = 0;
     std::vector<bool> claimed;
     Eigen::MatrixXd x, v, stress;  ///< found by the library
     std::vector<std::pair<three, three>> found_reactions;
@@ -116,10 +117,14 @@ std::pair<std::size_t, particle_values> reference_run::claim(const three& at, do
 }
 
 void reference_run::step(double dt) {
-    data_->reactions = reference::step(data_->set, data_->state, data_->time, dt);
+    const reference::step_result told = reference::advance(data_->set, data_->state, data_->time, dt);
+    data_->reactions = told.reactions;
+    data_->last_increment = told.last_increment;
     ++data_->steps;
     data_->time = data_->set.start_time + data_->steps * dt;
 }
+
+double reference_run::last_increment() const { return data_->last_increment; }
 
 void reference_run::found(std::size_t number, const particle_values& values) {
     const auto k = static_cast<Eigen::Index>(number);

@@ -118,14 +118,34 @@ template <class T, class Number> TAMIS_INLINE T constant(const Number& number) {
 
 namespace detail {
 
+/// f of every lane.
+template <class T, class F> T each_lane(const T& a, F f) {
+    typename lane<T>::real values[lane<T>::width];
+    lane<T>::store(values, a);
+    for (auto& value : values) value = f(value);
+    return lane<T>::load(values);
+}
+#if defined(__OPTIMIZE__)
+inline constexpr bool vector_functions = true;
+#else
+// xsimd 8 compiles its AVX-512 logarithm only where intrinsics are functions; without optimisation GCC has macros.
+inline constexpr bool vector_functions = false;
+#endif
+
 /// Natural logarithm and exponential, lane by lane; of dual numbers by argument-dependent look-up.
 template <class T> TAMIS_INLINE T logarithm(const T& a) {
     using std::log;
-    return log(a);
+    if constexpr (lane<T>::width > 1 && !vector_functions)
+        return each_lane(a, [](auto x) { return std::log(x); });
+    else
+        return log(a);
 }
 template <class T> TAMIS_INLINE T exponential(const T& a) {
     using std::exp;
-    return exp(a);
+    if constexpr (lane<T>::width > 1 && !vector_functions)
+        return each_lane(a, [](auto x) { return std::exp(x); });
+    else
+        return exp(a);
 }
 
 /// Nodes with less mass than this take no part: the inverse would be no number.
