@@ -101,22 +101,22 @@ TEST_CASE("contact: bodies that do not meet move as alone, and parting ones are 
     solver mpm{uniform_grid{{0., 0.}, {2., 1.}, 0.1}, fmpm<2>{}, contact{coulomb{0.3}}};
     const auto near = [](const auto& at) { return at[0] > 0.5 && at[0] < 1 && at[1] > 0.2 && at[1] < 0.6; };
     const auto beside = [](const auto& at) { return at[0] > 1 && at[0] < 1.5 && at[1] > 0.2 && at[1] < 0.6; };
-    auto a = alone.make_body(law, near, per_cell{2});
+    auto free = alone.make_body(law, near, per_cell{2});
     auto one = mpm.make_body(law, near, per_cell{2});
     auto two = mpm.make_body(law, beside, per_cell{2});
-    const auto away = [](double u) { return [u](const auto&) { return place(u, 0); }; };
-    set_velocity_of(a, away(-0.1));
+    const auto away = [](double speed) { return [speed](const auto&) { return place(speed, 0); }; };
+    set_velocity_of(free, away(-0.1));
     set_velocity_of(one, away(-0.1));
     set_velocity_of(two, away(0.1));
     for (int k = 0; k < 50; ++k) {
-        alone.step(bodies(a), 0.02);
+        alone.step(bodies(free), 0.02);
         mpm.step(bodies(one, two), 0.02);
     }
     for (const auto p : std::as_const(one)) {
         CHECK(std::abs(p[v][0] + 0.1) < 1e-14);
         CHECK(std::abs(p[v][1]) < 1e-14);
     }
-    CHECK((total_momentum(one) - total_momentum(a)).norm() < 1e-14);
+    CHECK((total_momentum(one) - total_momentum(free)).norm() < 1e-14);
     CHECK(mpm.touching().empty());
     CHECK(mpm.friction_heat() == 0);
 }
