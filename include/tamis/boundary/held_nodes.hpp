@@ -1,11 +1,10 @@
 #pragma once
 #include <tamis/boundary/conditions.hpp>
+#include <tamis/boundary/held_inverse.hpp>
 #include <tamis/boundary/methods.hpp>
 #include <tamis/core/error.hpp>
 #include <tamis/grid/lattice.hpp>
 #include <tamis/grid/node_table.hpp>
-
-#include <Eigen/Cholesky>
 
 #include <cstdint>
 #include <limits>
@@ -30,25 +29,19 @@ namespace detail {
 /// increment of the full mass matrix's series are zero.
 ///
 /// Conditions at one node are made orthonormal once; values follow by the same triangular map.
-template <class S, class Shape, class Boundary, held_by How = held_by::increments> class held_nodes {
+template <class S, class Shape, class Boundary, class Method = boundary_method::incremental> class held_nodes {
   public:
     using real = typename S::real;
     using lattice_type = lattice<S, Shape>;
     static constexpr int D = S::dim;
     static constexpr bool any = !requires { requires Boundary::never; };
 
-    /// `chosen`: the method, where it is chosen at run time.
-    held_nodes(const Boundary& boundary, const lattice_type& lattice, held_by chosen = How)
-        : boundary_(boundary), chosen_(chosen) {
+    held_nodes(const Boundary& boundary, const lattice_type& lattice, const Method& method = {})
+        : boundary_(boundary), method_(method) {
         if constexpr (any) find(lattice);
     }
 
-    held_by how() const {
-        if constexpr (How == held_by::chosen_at_run_time)
-            return chosen_;
-        else
-            return How;
-    }
+    held_by how() const { return method_.how; }
 
     /// Momentum p takes its held values of time t. `share` is the part of that change that reaches the particles.
     template <class Nodes>
@@ -73,14 +66,14 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
             if (!on_momentum(how())) return;
             each([&](entry& e) {
                 if (!(e.mass > real(0))) return;
-                const vector p = get<field::momentum>(nodes, e.place) * (HoldsVelocity ? e.mass : real(1));
-                const vector f = get<field::force>(nodes, e.place);
+                const vector p = nodes.template get<field::momentum>(e.place) * (HoldsVelocity ? e.mass : real(1));
+                const vector f = nodes.template get<field::force>(e.place);
                 vector held = vector::Zero();
                 for (int k = 0; k < e.directions; ++k) {
                     const vector& n = e.normal[at(k)];
                     held += ((e.mass * e.value[at(k)] - n.dot(p)) * inverse_dt - n.dot(f)) * n;
                 }
-                put<field::force>(nodes, e.place, vector(f + held));
+                nodes.template put<field::force>(e.place, vector(f + held));
                 e.node.reaction += held;
             });
         }
@@ -95,14 +88,14 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     /// Held components of an increment become zero, in it and in the sum it was already added to.
     template <class Increment, class Sum, class Nodes>
     void increment(const Nodes& nodes, const real& inverse_dt, bool counts) {
-        if constexpr (any && (How == held_by::increments || How == held_by::chosen_at_run_time)) {
+        if constexpr (any) {
             if (how() != held_by::increments) return;
             each([&](entry& e) {
-                const vector dv = get<Increment>(nodes, e.place), sum = get<Sum>(nodes, e.place);
+                const vector dv = nodes.template get<Increment>(e.place), sum = nodes.template get<Sum>(e.place);
                 vector gone = vector::Zero();
                 for (int k = 0; k < e.directions; ++k) gone += e.normal[at(k)].dot(dv) * e.normal[at(k)];
-                put<Increment>(nodes, e.place, vector(dv - gone));
-                put<Sum>(nodes, e.place, vector(sum - gone));
+                nodes.template put<Increment>(e.place, vector(dv - gone));
+                nodes.template put<Sum>(e.place, vector(sum - gone));
                 if (counts) e.node.reaction -= gone * (e.mass * inverse_dt);
             });
         }
@@ -110,14 +103,14 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
 
     /// Keeps the nodes' lumped velocities, which the full mass matrix is about to change.
     template <class Nodes> void remember(const Nodes& nodes) {
-        each([&](entry& e) { e.lumped = get<field::velocity>(nodes, e.place); });
+        each([&](entry& e) { e.lumped = nodes.template get<field::velocity>(e.place); });
     }
     /// Held components of a velocity take their values.
     template <class To, class Nodes> void impose_velocity(const Nodes& nodes, const real& inverse_dt, bool counts) {
         each([&](entry& e) {
             if (!(e.mass > real(0))) return;
-            const vector u = get<To>(nodes, e.place), change = missing(e, u);
-            put<To>(nodes, e.place, vector(u + change));
+            const vector u = nodes.template get<To>(e.place), change = missing(e, u);
+            nodes.template put<To>(e.place, vector(u + change));
             if (counts) e.node.reaction += change * (e.mass * inverse_dt);
         });
     }
@@ -132,21 +125,21 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
             if (how() == held_by::unlumped1)
                 change = missing(e, e.lumped);
             else if (how() == held_by::unlumped2)
-                change = missing(e, get<To>(nodes, e.place));
+                change = missing(e, nodes.template get<To>(e.place));
             else if (how() == held_by::partial)
-                change = missing(e, e.lumped) / (e.mass * inverse_(e.row, e.row));
+                change = missing(e, e.lumped) / (e.mass * inverse_.diagonal(e.row));
             else
                 change = e.lumped;
-            put<Increment>(nodes, e.place, change);
+            nodes.template put<Increment>(e.place, change);
             if (counts) e.node.reaction += change * (e.mass * inverse_dt);
         });
     }
     /// Columns of M~_k^-1 at the held nodes, D of them at a time, one per component of `Increment`: first m^-1 e_i ...
     int batches() {
-        rows_ = 0;
-        each([&](entry& e) { e.row = e.mass > real(0) ? rows_++ : -1; });
-        inverse_.setZero(rows_, rows_);
-        return (rows_ + D - 1) / D;
+        int rows = 0;
+        each([&](entry& e) { e.row = e.mass > real(0) ? rows++ : -1; });
+        inverse_.start(rows);
+        return (rows + D - 1) / D;
     }
     template <class Increment, class Nodes> void start_columns(const Nodes& nodes, int batch) {
         each([&](entry& e) {
@@ -157,8 +150,8 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     /// ... then, term by term, what the series adds.
     template <class Increment, class Nodes> void add_columns(const Nodes& nodes, int batch) {
         each([&](entry& e) {
-            for (int d = 0; d < D && e.row >= 0 && batch * D + d < rows_; ++d)
-                inverse_(e.row, batch * D + d) += nodes.template column<Increment>(d)[e.place];
+            for (int d = 0; d < D && e.row >= 0 && batch * D + d < inverse_.rows(); ++d)
+                inverse_.add(e.row, batch * D + d, nodes.template column<Increment>(d)[e.place]);
         });
     }
 
@@ -231,28 +224,18 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     };
     using sum_type = std::conditional_t<std::is_same_v<real, float>, double, real>;
     Boundary boundary_;
-    [[maybe_unused]] held_by chosen_;
+    [[no_unique_address]] Method method_;
     std::vector<entry> entries_;
     std::vector<given> given_;
     std::vector<repeated> repeated_;
     std::vector<std::uint32_t> active_;  // of entries_
     double values_at_ = std::numeric_limits<double>::quiet_NaN();
     sum_type work_{0};
-    Eigen::Matrix<real, Eigen::Dynamic, Eigen::Dynamic> inverse_;
-    int rows_ = 0;
+    held_inverse<D, real> inverse_;
 
     static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
     template <class F> void each(F f) {
         for (const std::uint32_t k : active_) f(entries_[k]);
-    }
-    template <class F, class Nodes> TAMIS_INLINE static vector get(const Nodes& nodes, std::size_t place) {
-        vector a;
-        for (int d = 0; d < D; ++d) a[d] = nodes.template column<F>(d)[place];
-        return a;
-    }
-    template <class F, class Nodes>
-    TAMIS_INLINE static void put(const Nodes& nodes, std::size_t place, const vector& a) {
-        for (int d = 0; d < D; ++d) nodes.template column<F>(d)[place] = a[d];
     }
     template <class Nodes> static void take_mass(const Nodes& nodes, entry& e) {
         e.mass = nodes.template column<field::mass>()[e.place];
@@ -260,11 +243,11 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     }
     /// Held components of the momentum take their values: the change.
     template <class Nodes> static vector impose(const Nodes& nodes, const entry& e) {
-        const vector before = get<field::momentum>(nodes, e.place);
+        const vector before = nodes.template get<field::momentum>(e.place);
         vector change = vector::Zero();
         for (int k = 0; k < e.directions; ++k)
             change += (e.mass * e.value[at(k)] - e.normal[at(k)].dot(before)) * e.normal[at(k)];
-        put<field::momentum>(nodes, e.place, vector(before + change));
+        nodes.template put<field::momentum>(e.place, vector(before + change));
         return change;
     }
     /// What a velocity's held components lack.
@@ -275,39 +258,18 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     }
     /// Impulses j of all held nodes with [M~_k^-1] j = b - v on held components; leaves j/m in `lumped`.
     template <class To, class Nodes> void solve_collected(const Nodes& nodes) {
-        struct held_direction {
-            const entry* node;
-            vector normal;
-            real wanted;
-        };
-        std::vector<held_direction> all;
-        each([&](entry& e) {
-            const vector u = get<To>(nodes, e.place);
+        std::vector<typename held_inverse<D, real>::direction> all;
+        each([&](const entry& e) {
+            const vector u = nodes.template get<To>(e.place);
             for (int k = 0; k < e.directions && e.row >= 0; ++k)
-                all.push_back({&e, e.normal[at(k)], e.value[at(k)] - e.normal[at(k)].dot(u)});
+                all.push_back({e.row, e.normal[at(k)], e.value[at(k)] - e.normal[at(k)].dot(u)});
         });
-        const auto n = static_cast<Eigen::Index>(all.size());
-        Eigen::Matrix<real, Eigen::Dynamic, Eigen::Dynamic> system(n, n);
-        Eigen::Matrix<real, Eigen::Dynamic, 1> right(n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const held_direction& a = all[static_cast<std::size_t>(i)];
-            right[i] = a.wanted;
-            for (Eigen::Index j = 0; j < n; ++j) {
-                const held_direction& b = all[static_cast<std::size_t>(j)];
-                system(i, j) = a.normal.dot(b.normal) * inverse_(a.node->row, b.node->row);
-            }
-        }
-        const Eigen::LLT<Eigen::Matrix<real, Eigen::Dynamic, Eigen::Dynamic>> factors(system);
-        if (n > 0 && factors.info() != Eigen::Success)
-            throw error(
-                "boundary_method::collected: the held nodes' part of the mass matrix's inverse is singular; take "
-                "boundary_method::incremental, or more particles per cell");
-        const Eigen::Matrix<real, Eigen::Dynamic, 1> impulse = factors.solve(right);
-        each([](entry& e) { e.lumped.setZero(); });
-        for (Eigen::Index i = 0; i < n; ++i) {
-            entry& e = entries_[static_cast<std::size_t>(all[static_cast<std::size_t>(i)].node - entries_.data())];
-            e.lumped += impulse[i] / e.mass * all[static_cast<std::size_t>(i)].normal;
-        }
+        const std::vector<real> impulse = inverse_.impulses(all);
+        std::size_t next = 0;
+        each([&](entry& e) {
+            e.lumped.setZero();
+            for (int k = 0; k < e.directions && e.row >= 0; ++k) e.lumped += impulse[next++] / e.mass * e.normal[at(k)];
+        });
     }
     vector velocity_of(int condition, const vector& where, double t) const {
         vector u = vector::Zero();
@@ -352,21 +314,15 @@ template <class S, class Shape, class Boundary, held_by How = held_by::increment
     }
 
     void find(const lattice_type& lattice) {
-        const auto& grid = lattice.grid();
-        std::array<int, 3> n{0, 0, 0};
-        for (int d = 0; d < D; ++d) n[at(d)] = grid.cells(d);
-        for (int k = 0; k <= n[2]; ++k)
-            for (int j = 0; j <= n[1]; ++j)
-                for (int i = 0; i <= n[0]; ++i) {
-                    const vector where = grid.node({i, j, k});
-                    entry e;
-                    e.place = lattice.node_place({i, j, k});
-                    e.node = {where, vector::Zero(), vector::Zero()};
-                    int c = 0;
-                    std::apply([&](const auto&... each) { (add(e, c++, each, where), ...); },
-                               each_condition(boundary_));
-                    if (e.directions > 0) entries_.push_back(e);
-                }
+        lattice.grid().each_node([&](const std::array<int, 3>& index) {
+            const vector where = lattice.grid().node(index);
+            entry e;
+            e.place = lattice.node_place(index);
+            e.node = {where, vector::Zero(), vector::Zero()};
+            int c = 0;
+            std::apply([&](const auto&... each) { (add(e, c++, each, where), ...); }, each_condition(boundary_));
+            if (e.directions > 0) entries_.push_back(e);
+        });
     }
     template <class Condition> void add(entry& e, int index, const Condition& condition, const vector& where) {
         if (!condition.holds(where)) return;

@@ -61,16 +61,16 @@ template <class S, class Shape, class Contact> class touching_nodes {
             std::erase_if(nodes_, [&](entry& e) {
                 if constexpr (Contact::by_mass)
                     // G_pi slopes up towards the node, so the sum points out of the body.
-                    e.normal = get<field::mass_gradient>(*fields[e.field[0]], e.place) -
-                               get<field::mass_gradient>(*fields[e.field[1]], e.place);
+                    e.normal = fields[e.field[0]]->template get<field::mass_gradient>(e.place) -
+                               fields[e.field[1]]->template get<field::mass_gradient>(e.place);
                 else
                     e.normal = as_point<D, real>(policy_.normal(lattice_.place_of(e.place)));
                 const real length = e.normal.norm();
                 if (!(length > real(0))) return true;
                 e.normal /= length;
                 if constexpr (Contact::by_place) {
-                    const vector apart = get<field::mass_place>(*fields[e.field[1]], e.place) / e.mass[1] -
-                                         get<field::mass_place>(*fields[e.field[0]], e.place) / e.mass[0];
+                    const vector apart = fields[e.field[1]]->template get<field::mass_place>(e.place) / e.mass[1] -
+                                         fields[e.field[0]]->template get<field::mass_place>(e.place) / e.mass[0];
                     return !(apart.dot(e.normal) < constant<real>(policy_.detection.cells) * lattice_.grid().spacing());
                 }
                 return false;
@@ -81,11 +81,11 @@ template <class S, class Shape, class Contact> class touching_nodes {
     /// that reaches the particles.
     template <class Fields> void momentum(const Fields& fields, const real& felt = real(0)) {
         for (entry& e : nodes_) {
-            const vector p[2] = {get<field::momentum>(*fields[e.field[0]], e.place),
-                                 get<field::momentum>(*fields[e.field[1]], e.place)};
+            const vector p[2] = {fields[e.field[0]]->template get<field::momentum>(e.place),
+                                 fields[e.field[1]]->template get<field::momentum>(e.place)};
             const vector j = impulse(e, p[1] / e.mass[1] - p[0] / e.mass[0]);
-            put<field::momentum>(*fields[e.field[0]], e.place, vector(p[0] + j));
-            put<field::momentum>(*fields[e.field[1]], e.place, vector(p[1] - j));
+            fields[e.field[0]]->template put<field::momentum>(e.place, vector(p[0] + j));
+            fields[e.field[1]]->template put<field::momentum>(e.place, vector(p[1] - j));
             e.force += felt * j;
         }
     }
@@ -94,8 +94,8 @@ template <class S, class Shape, class Contact> class touching_nodes {
         for (entry& e : nodes_) {
             vector v[2], f[2];
             for (std::size_t k = 0; k < 2; ++k) {
-                f[k] = get<field::force>(*fields[e.field[k]], e.place);
-                v[k] = get<field::momentum>(*fields[e.field[k]], e.place);
+                f[k] = fields[e.field[k]]->template get<field::force>(e.place);
+                v[k] = fields[e.field[k]]->template get<field::momentum>(e.place);
                 if constexpr (!HoldsVelocity) v[k] /= e.mass[k];
                 v[k] += f[k] * (dt / e.mass[k]);
             }
@@ -103,20 +103,23 @@ template <class S, class Shape, class Contact> class touching_nodes {
             const vector pushes = j / dt;
             e.force += pushes;
             heat_ += to_double(e.heat);
-            put<field::force>(*fields[e.field[0]], e.place, vector(f[0] + pushes));
-            put<field::force>(*fields[e.field[1]], e.place, vector(f[1] - pushes));
+            e.told = e.state;
+            fields[e.field[0]]->template put<field::force>(e.place, vector(f[0] + pushes));
+            fields[e.field[1]]->template put<field::force>(e.place, vector(f[1] - pushes));
         }
     }
     /// A velocity after the series.
     template <class To, class Fields> void velocity(const Fields& fields, const real& dt, bool counts) {
         for (entry& e : nodes_) {
-            const vector v[2] = {get<To>(*fields[e.field[0]], e.place), get<To>(*fields[e.field[1]], e.place)};
+            const vector v[2] = {fields[e.field[0]]->template get<To>(e.place),
+                                 fields[e.field[1]]->template get<To>(e.place)};
             const vector j = impulse(e, v[1] - v[0]);
-            put<To>(*fields[e.field[0]], e.place, vector(v[0] + j / e.mass[0]));
-            put<To>(*fields[e.field[1]], e.place, vector(v[1] - j / e.mass[1]));
+            fields[e.field[0]]->template put<To>(e.place, vector(v[0] + j / e.mass[0]));
+            fields[e.field[1]]->template put<To>(e.place, vector(v[1] - j / e.mass[1]));
             if (!counts) continue;
             e.force += j / dt;
             heat_ += to_double(e.heat);
+            e.told = e.state;
         }
     }
     /// An increment of the series, and the sum it was added to: bodies that stick get equal increments; those that
@@ -125,8 +128,8 @@ template <class S, class Shape, class Contact> class touching_nodes {
     void increment(const Fields& fields, const real& dt, bool counts) {
         for (entry& e : nodes_) {
             if (e.state == contact_state::apart) continue;
-            const vector w =
-                get<Increment>(*fields[e.field[1]], e.place) - get<Increment>(*fields[e.field[0]], e.place);
+            const vector w = fields[e.field[1]]->template get<Increment>(e.place) -
+                             fields[e.field[0]]->template get<Increment>(e.place);
             vector j = e.reduced * w;
             if (e.state == contact_state::slides) {
                 const real along = j.dot(e.normal);
@@ -135,8 +138,8 @@ template <class S, class Shape, class Contact> class touching_nodes {
             for (std::size_t k = 0; k < 2; ++k) {
                 const vector change = j / (k == 0 ? e.mass[k] : -e.mass[k]);
                 auto& nodes = *fields[e.field[k]];
-                put<Increment>(nodes, e.place, vector(get<Increment>(nodes, e.place) + change));
-                put<Sum>(nodes, e.place, vector(get<Sum>(nodes, e.place) + change));
+                nodes.template put<Increment>(e.place, vector(nodes.template get<Increment>(e.place) + change));
+                nodes.template put<Sum>(e.place, vector(nodes.template get<Sum>(e.place) + change));
             }
             if (counts) e.force += j / dt;
         }
@@ -148,9 +151,9 @@ template <class S, class Shape, class Contact> class touching_nodes {
     auto nodes() const {
         std::vector<touching_node<D, real>> all;
         for (const entry& e : nodes_)
-            if (e.state != contact_state::apart || !e.force.isZero(real(0)))
+            if (e.told != contact_state::apart || !e.force.isZero(real(0)))
                 all.push_back({lattice_.place_of(e.place), static_cast<int>(e.field[0]), static_cast<int>(e.field[1]),
-                               e.normal, e.force, e.state == contact_state::slides});
+                               e.normal, e.force, e.told == contact_state::slides});
         return all;
     }
 
@@ -163,6 +166,7 @@ template <class S, class Shape, class Contact> class touching_nodes {
         real reduced{}, friction{}, heat{};  // friction: tangential over normal impulse
         vector normal = vector::Zero(), tangent = vector::Zero(), force = vector::Zero();
         contact_state state = contact_state::apart;
+        contact_state told = contact_state::apart;  // of the forces, or of the velocity that particles take
     };
     Contact policy_;
     const lattice_type& lattice_;
@@ -170,14 +174,6 @@ template <class S, class Shape, class Contact> class touching_nodes {
     std::vector<std::uint32_t> shared_;
     double heat_ = 0;
 
-    template <class F, class Nodes> static vector get(const Nodes& nodes, std::size_t place) {
-        vector a;
-        for (int d = 0; d < D; ++d) a[d] = nodes.template column<F>(d)[place];
-        return a;
-    }
-    template <class F, class Nodes> static void put(const Nodes& nodes, std::size_t place, const vector& a) {
-        for (int d = 0; d < D; ++d) nodes.template column<F>(d)[place] = a[d];
-    }
     /// Impulse on the first body for a relative velocity w of the second.
     vector impulse(entry& e, const vector& w) const {
         e.heat = e.friction = real(0);

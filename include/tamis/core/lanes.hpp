@@ -156,6 +156,15 @@ template <class Real> Real least_mass() {
         return Real(std::numeric_limits<double>::min());
 }
 
+/// 1/m, and 0 where there is no mass, or so little that its inverse is no number.
+template <class T> TAMIS_INLINE T inverse_or_zero(const T& mass) {
+    using real = typename lane<T>::real;
+    const T one(real(1));
+    const auto enough = mass >= T(least_mass<real>());
+    const T inverse_of = one / select(enough, mass, one);
+    return select(enough, inverse_of, T(real(0)));
+}
+
 /// A number as double, for decisions and messages; of a dual number, its value.
 template <class Number> double to_double(const Number& a) {
     if constexpr (requires { static_cast<double>(a); })

@@ -27,6 +27,15 @@ template <class S, class List> class node_table {
     template <class F> TAMIS_INLINE real* column(int c = 0) const {
         return data_.get() + static_cast<std::size_t>(row::template first<F>() + c) * stride_;
     }
+    /// A vector field at one place.
+    template <class F> TAMIS_INLINE point<S::dim, real> get(std::size_t place) const {
+        point<S::dim, real> value;
+        for (int d = 0; d < S::dim; ++d) value[d] = column<F>(d)[place];
+        return value;
+    }
+    template <class F> TAMIS_INLINE void put(std::size_t place, const point<S::dim, real>& value) const {
+        for (int d = 0; d < S::dim; ++d) column<F>(d)[place] = value[d];
+    }
     template <class F> void set_zero() {
         for (int c = 0; c < std::remove_const_t<F>::template components<S>; ++c)
             for (const auto& r : runs_) std::fill_n(column<F>(c) + r.first, r.count, real(0));

@@ -63,6 +63,15 @@ template <int Dim, class Real = double> class uniform_grid {
         return at;
     }
 
+    /// f(index) for every node, i fastest.
+    template <class F> void each_node(F f) const {
+        std::array<int, 3> last{0, 0, 0};
+        for (std::size_t d = 0; d < Dim; ++d) last[d] = cells_[d];
+        for (int k = 0; k <= last[2]; ++k)
+            for (int j = 0; j <= last[1]; ++j)
+                for (int i = 0; i <= last[0]; ++i) f(std::array<int, 3>{i, j, k});
+    }
+
   private:
     vector lower_, upper_;
     std::array<int, Dim> cells_{};

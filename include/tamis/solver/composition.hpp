@@ -137,7 +137,7 @@ template <class Grid, class... P> struct composition {
     using transfer = typename by_role<role::transfer, flip>::type;
     using order = typename by_role<role::stress_order, usl_minus>::type;
     using boundary = typename by_role<role::boundary, unbounded>::type;
-    using method = typename by_role<role::boundary_method, boundary_method::incremental>::type;
+    using named_method = typename by_role<role::boundary_method, boundary_method::incremental>::type;
     using touch = typename by_role<role::contact, one_velocity>::type;
     using load = typename by_role<role::load, unloaded>::type;
     using motion = typename by_role<role::motion, moving>::type;
@@ -150,18 +150,15 @@ template <class Grid, class... P> struct composition {
     using mass = typename transfer::mass_type;
     using update = typename transfer::update_type;
 
-    static_assert(mass::full || method::how == held_by::increments,
+    static_assert(mass::full || is_always<named_method, held_by::increments>(),
                   "tamis: boundary methods differ only for a full mass matrix; give fmpm<k> with k > 1 (or "
                   "fmpm<dynamic>), or leave the method out");
-
-    /// An exact inverse has no increments: conditions are met by a solve for all of them.
-    static constexpr held_by how = requires { requires mass::exact; }
-    ? held_by::collected : method::how;
-    static_assert(method::how == how || method::how == held_by::increments,
+    static constexpr bool exact = requires { requires mass::exact; };
+    static_assert(!exact || is_always<named_method, held_by::increments>(),
                   "tamis: with an exact mass matrix conditions hold exactly; leave the boundary method out");
-
-    static_assert(mass::full || !contains<read, field::full_acceleration>,
-                  "tamis: field::full_acceleration needs a full mass matrix; give fmpm<k> with k > 1");
+    /// An exact inverse has no increments: conditions are met by a solve for all of them.
+    using method = std::conditional_t<exact, boundary_method::collected, named_method>;
+    static constexpr bool incremental = is_always<method, held_by::increments>();
 
     /// Has each body a velocity field of its own?
     static constexpr bool own_velocities = !requires { requires touch::never; };
@@ -169,7 +166,7 @@ template <class Grid, class... P> struct composition {
         mass::full || contact_acts_early<touch>,
         "tamis: contact_method::velocity corrects what the full mass matrix gave; give fmpm<k> with k > 1, or "
         "contact_method::incremental");
-    static_assert(!own_velocities || how == held_by::increments,
+    static_assert(!own_velocities || incremental,
                   "tamis: contact goes with boundary_method::incremental only, and with no exact mass matrix");
 
     static constexpr bool moves = motion::moves;

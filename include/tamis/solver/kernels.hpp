@@ -9,15 +9,6 @@
 // need the same pass share its code.
 namespace tamis::detail {
 
-/// 1/m, and 0 where there is no mass, or so little that its inverse is no number.
-template <class T> TAMIS_INLINE T inverse_or_zero(const T& mass) {
-    using real = typename lane<T>::real;
-    const T one(real(1));
-    const auto enough = mass >= T(least_mass<real>());
-    const T inverse_of = one / select(enough, mass, one);
-    return select(enough, inverse_of, T(real(0)));
-}
-
 /// Nothing is the same for every node around a particle.
 struct nothing {};
 

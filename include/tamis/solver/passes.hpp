@@ -111,22 +111,23 @@ template <class Solver, class... Body> struct passes {
     /// The lumped velocity becomes the full one in `To`, conditions by the composed method. `felt`: do particles take
     /// it, so that what conditions do is a reaction?
     template <class To> void full_velocity(bool felt) {
-        constexpr held_by composed = C::how;
+        using method = typename C::method;
         const auto& mass = mpm.transfer_.mass;
-        if constexpr (composed == held_by::increments || composed == held_by::lumped || !Solver::held_type::any) {
+        if constexpr (C::incremental || is_always<method, held_by::lumped>() || !Solver::held_type::any) {
             mass.template filter<To>(felt, *this);
             if constexpr (C::own_velocities)
                 if (!acts_on_momentum) mpm.contact_.template velocity<To>(tables(), dt_, felt);
         } else {
             const held_by how = mpm.field_.held.how();
-            each_held([](auto& held, auto& table) { held.remember(table); });
+            if (on_lumped(how)) each_held([](auto& held, auto& table) { held.remember(table); });
             mass.template filter<To>(felt, *this);
             if (how == held_by::increments || how == held_by::lumped) return;
             if (how == held_by::velocity || how == held_by::combined) {
                 each_held([&](auto& held, auto& table) { held.template impose_velocity<To>(table, inverse_dt, felt); });
                 return;
             }
-            if constexpr (composed != held_by::velocity && composed != held_by::combined) correct<To>(how, felt);
+            if constexpr (!is_always<method, held_by::velocity>() && !is_always<method, held_by::combined>())
+                correct<To>(how, felt);
         }
     }
     /// SdV = S^T M S dv.
@@ -187,28 +188,11 @@ template <class Solver, class... Body> struct passes {
         });
     }
 
-  private:
-    static constexpr bool acts_on_momentum = [] {
-        if constexpr (C::own_velocities)
-            return C::touch::method_type::on_momentum;
-        else
-            return true;
-    }();
-
-    template <class Gradient, bool Strains, class B, class Sweeps>
-    void update(B& b, Sweeps& sweeps, const T& strain_dt) {
-        using gathers = typename C::gathers;
-        using kernel =
-            detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains, C::particles_go>;
-        sweeps.template gather_each<gathers, Gradient>(b, kernel{b.law, mpm.transfer_.particle, dt(), strain_dt});
-    }
-
-  public:
     /// M~_k^-1 f for whoever reads it: by linearity what v+ gains over v, per dt.
     void full_acceleration() {
         if constexpr (contains<typename C::read, field::full_acceleration>) {
             nodes(copy_field<field::acceleration, field::increment>{});
-            nodes(copy_field<field::acceleration, field::full_acceleration>{});
+            set_zero<field::full_acceleration>();
             mpm.transfer_.mass.template series<field::full_acceleration>(false, *this);
         }
     }
@@ -226,6 +210,21 @@ template <class Solver, class... Body> struct passes {
     }
 
   private:
+    static constexpr bool acts_on_momentum = [] {
+        if constexpr (C::own_velocities)
+            return C::touch::method_type::on_momentum;
+        else
+            return true;
+    }();
+
+    template <class Gradient, bool Strains, class B, class Sweeps>
+    void update(B& b, Sweeps& sweeps, const T& strain_dt) {
+        using gathers = typename C::gathers;
+        using kernel =
+            detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains, C::particles_go>;
+        sweeps.template gather_each<gathers, Gradient>(b, kernel{b.law, mpm.transfer_.particle, dt(), strain_dt});
+    }
+
     /// What the conditions add to a full velocity that did not know of them.
     template <class To> void correct(held_by how, bool felt) {
         const auto& mass = mpm.transfer_.mass;
@@ -243,7 +242,6 @@ template <class Solver, class... Body> struct passes {
                 nodes(image_to_increment{});
             }
         }
-        nodes(add_increment<To>{});
         mass.template series<To>(felt, *this);
     }
     void find_columns() {

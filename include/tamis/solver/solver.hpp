@@ -87,16 +87,14 @@ template <class Grid, class... Policies> class solver {
     template <class F> point<dim, real> on_node(F, const std::array<int, 3>& node) const {
         static_assert(stores<typename C::node_fields, F> && F::template components<S> == dim,
                       "tamis: the composition has no such vector field on its nodes; ask for it by read_out<F>{}");
-        point<dim, real> value;
-        for (int d = 0; d < dim; ++d) value[d] = field_.sweeps.nodes().template column<F>(d)[lattice_.node_place(node)];
-        return value;
+        return field_.sweeps.nodes().template get<F>(lattice_.node_place(node));
     }
     /// Column of the full mass matrix's inverse by the composed number of terms, that of node (i, j, k), where the
     /// particles are now and without conditions (1/kg); per node of the grid, i fastest. Its sum over columns times m
     /// is 1 in every row.
     template <class... Body>
     std::vector<real> inverse_column(std::tuple<Body&...> all, const std::array<int, 3>& node) requires C::mass::full {
-        static_assert(!C::own_velocities && C::how != detail::held_by::collected,
+        static_assert(!C::own_velocities && !C::exact,
                       "tamis: columns of the inverse are those of one velocity field and a series of terms");
         prepare(all);
         detail::passes<solver, Body...> now{*this, all, real(1)};
@@ -109,11 +107,7 @@ template <class Grid, class... Policies> class solver {
         }
         const std::vector<real> places = now.inverse_column(lattice_.node_place(node));
         std::vector<real> column;
-        std::array<int, 3> n{0, 0, 0};
-        for (int d = 0; d < dim; ++d) n[static_cast<std::size_t>(d)] = grid().cells(d);
-        for (int k = 0; k <= n[2]; ++k)
-            for (int j = 0; j <= n[1]; ++j)
-                for (int i = 0; i <= n[0]; ++i) column.push_back(places[lattice_.node_place({i, j, k})]);
+        grid().each_node([&](const auto& index) { column.push_back(places[lattice_.node_place(index)]); });
         return column;
     }
     /// Terms of the full mass matrix's series that the last step took, and the size of the last one; 0 unless the
@@ -229,14 +223,14 @@ template <class Grid, class... Policies> class solver {
   private:
     using sweeps_type = detail::sweeps<S, typename C::shape, typename C::node_fields, typename C::execution, C::moves>;
     using lattice_type = typename sweeps_type::lattice_type;
-    using held_type = detail::held_nodes<S, typename C::shape, typename C::boundary, C::how>;
+    using held_type = detail::held_nodes<S, typename C::shape, typename C::boundary, typename C::method>;
     using contact_type = typename detail::contact_of<S, typename C::shape, typename C::touch>::type;
     /// Nodes with one velocity each: the passes over them, and the conditions that hold them.
     struct velocity_field {
         sweeps_type sweeps;
         held_type held;
         explicit velocity_field(const solver& of)
-            : sweeps(of.shape_, of.lattice_, of.run_), held(of.boundary_, of.lattice_, of.how_) {}
+            : sweeps(of.shape_, of.lattice_, of.run_), held(of.boundary_, of.lattice_, of.method_) {}
     };
     template <class, class...> friend struct detail::passes;
     template <class Body> static constexpr bool serves = std::same_as<typename Body::lattice_type, lattice_type>&&
@@ -247,7 +241,7 @@ template <class Grid, class... Policies> class solver {
     typename C::execution run_;
     lattice_type lattice_;
     typename C::boundary boundary_;
-    detail::held_by how_;
+    [[no_unique_address]] typename C::method method_;
     velocity_field field_;
     // Of the second body, the third, ... where each has its own.
     std::vector<std::unique_ptr<velocity_field>> further_;
@@ -269,12 +263,16 @@ template <class Grid, class... Policies> class solver {
           run_(pick<detail::role::execution, serial>(all)),
           lattice_(grid),
           boundary_(pick<detail::role::boundary, unbounded>(all)),
-          how_(C::how == detail::held_by::chosen_at_run_time
-                   ? detail::method_of(pick<detail::role::boundary_method, boundary_method::incremental>(all))
-                   : C::how),
+          method_(picked_method(all)),
           field_(*this),
           contact_(pick<detail::role::contact, one_velocity>(all), lattice_) {}
 
+    static auto picked_method(const std::tuple<Policies...>& all) {
+        if constexpr (C::exact)
+            return typename C::method{};
+        else
+            return pick<detail::role::boundary_method, boundary_method::incremental>(all);
+    }
     velocity_field& field_of(std::size_t body) {
         if constexpr (C::own_velocities)
             return body == 0 ? field_ : *further_[body - 1];

@@ -81,10 +81,7 @@ struct increment_momentum {
     using list = fields<const field::inverse_mass, field::increment>;
     TAMIS_INLINE void operator()(auto i) const {
         using namespace symbols;
-        using T = std::remove_cvref_t<decltype(i[im])>;
-        const T zero(typename lane<T>::real(0)), one(typename lane<T>::real(1));
-        const auto takes_part = i[im] > zero;
-        i[dv] *= select(takes_part, one / select(takes_part, i[im], one), zero);
+        i[dv] *= inverse_or_zero(i[im]);
     }
 };
 
@@ -103,9 +100,8 @@ template <class real> struct exact_mass {
         pass.nodes(detail::copy_field<field::increment, To>{});
         (void)felt;
     }
+    /// Adds M~^-1 m dv to `To`, dv the increment at hand.
     template <class To> void series(bool, auto& pass) const {
-        // What `full_velocity` has added to `To` is the right side itself: it is replaced by the solution.
-        pass.nodes(detail::subtract_increment<To>{});
         solve(pass);
         pass.nodes(detail::add_increment<To>{});
     }

@@ -64,21 +64,13 @@ template <class To> struct add_increment {
     using list = fields<const field::increment, To>;
     TAMIS_INLINE void operator()(auto i) const { i[To{}] += i[symbols::dv]; }
 };
-/// To -= dv.
-template <class To> struct subtract_increment {
-    using list = fields<const field::increment, To>;
-    TAMIS_INLINE void operator()(auto i) const { i[To{}] -= i[symbols::dv]; }
-};
 /// m and m dv^2 of nodes.
 template <class S> struct increment_square {
     using list = fields<const field::inverse_mass, const field::increment>;
     using T = typename S::scalar;
     TAMIS_INLINE std::array<T, 2> operator()(auto i) const {
         using namespace symbols;
-        using real = typename S::real;
-        const T zero(real(0)), one(real(1));
-        const auto takes_part = i[im] > zero;
-        const T m = select(takes_part, one / select(takes_part, i[im], one), zero);
+        const T m = inverse_or_zero(i[im]);
         return {m, m * i[dv].squaredNorm()};
     }
 };
@@ -127,11 +119,14 @@ template <int K> struct full_mass : detail::term_count<K> {
         if constexpr (full) {
             pass.nodes(detail::copy_field<field::velocity, field::increment>{});
             if constexpr (!std::same_as<To, field::velocity>) pass.nodes(detail::copy_field<field::velocity, To>{});
-            series<To>(felt, pass);
+            detail::add_series<To>(this->terms(), felt, pass);
         }
     }
-    /// Adds to `To` the further terms of the series that begins with the increment at hand.
-    template <class To> void series(bool felt, auto& pass) const { detail::add_series<To>(this->terms(), felt, pass); }
+    /// Adds M~_k^-1 m dv to `To`, dv the increment at hand.
+    template <class To> void series(bool felt, auto& pass) const {
+        pass.nodes(detail::add_increment<To>{});
+        detail::add_series<To>(this->terms(), felt, pass);
+    }
     /// The terms of M~_k^-1 m dv one after the other in dv, each shown by look().
     template <class Look> void each_term(auto& pass, Look look) const {
         look();

@@ -88,3 +88,12 @@ TEST_CASE("uniform_grid: a box that is not a whole number of cells is refused by
 TEST_CASE("uniform_grid: more cells than can be numbered are refused") {
     CHECK(names(line(0, 1, 1e-9), "uniform_grid", "axis 0", "1048576", "larger spacing"));
 }
+
+TEST_CASE("uniform_grid: every node once, i fastest") {
+    const uniform_grid grid{{0., 0.}, {3., 1.}, 1.};
+    std::vector<std::array<int, 3>> seen;
+    grid.each_node([&](const std::array<int, 3>& index) { seen.push_back(index); });
+    const std::vector<std::array<int, 3>> expected{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0},
+                                                   {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {3, 1, 0}};
+    CHECK(seen == expected);
+}
