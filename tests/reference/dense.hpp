@@ -8,6 +8,7 @@
 #include "boundary.hpp"  // IWYU pragma: export
 #include "held.hpp"      // IWYU pragma: export
 #include "law.hpp"       // IWYU pragma: export
+#include "load.hpp"      // IWYU pragma: export
 #include "mass.hpp"      // IWYU pragma: export
 #include "scene.hpp"     // IWYU pragma: export
 #include "shape.hpp"     // IWYU pragma: export

@@ -67,6 +67,23 @@ inline condition hold_velocity(Eigen::Index dimension, std::function<bool(const 
     return all;
 }
 
+/// force(x, t) (N) on particles, by how much each takes of it.
+struct point_force {
+    Eigen::VectorXd share;
+    std::function<Eigen::VectorXd(const Eigen::VectorXd& x, double t)> force;
+};
+/// per_area(x, normal, t) (Pa) on particles' faces, with the faces' areas: load.hpp.
+struct face_load {
+    Eigen::MatrixXd areas;
+    std::function<Eigen::VectorXd(const Eigen::VectorXd& x, const Eigen::VectorXd& normal, double t)> per_area;
+};
+/// Damping that follows the kinetic energy: load.hpp. None if the gain is 0.
+struct kinetic_feedback {
+    double target = 0;
+    double gain = 0;
+    double maximum = 0;
+};
+
 /// Everything that does not change during a run. The length of `lower` is the dimension D: 1, 2 or 3.
 struct scene {
     Eigen::VectorXd lower;
@@ -87,6 +104,11 @@ struct scene {
 
     /// Acceleration by loads, b(position, velocity, time) at a particle; none if empty.
     std::function<Eigen::VectorXd(const Eigen::VectorXd& x, const Eigen::VectorXd& v, double t)> acceleration = {};
+
+    std::vector<point_force> point_forces = {};
+    std::vector<face_load> face_loads = {};
+    std::function<double(double t)> damping = {};  ///< rate (1/s) of the nodes' velocities; none if empty
+    kinetic_feedback feedback = {};
 
     /// When the run starts; only the `euler` order asks, whose boundary values may not be older than this.
     double start_time = 0;
@@ -133,7 +155,8 @@ struct state {
     std::vector<Eigen::MatrixXd> stress;
     std::vector<Eigen::MatrixXd> deformation;
     Eigen::VectorXd half_width;
-    int steps = 0;  ///< done so far
+    int steps = 0;             ///< done so far
+    double feedback_rate = 0;  ///< of the damping that follows the kinetic energy (1/s)
 
     Eigen::Index size() const { return x.rows(); }
 };

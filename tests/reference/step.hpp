@@ -10,11 +10,12 @@
 #include "boundary.hpp"
 #include "held.hpp"
 #include "law.hpp"
+#include "load.hpp"
 #include "scene.hpp"
 
 namespace reference {
 
-/// f = -G^T (V0 stress) + S^T (M b), nodes x D, in newtons.
+/// f = -G^T (V0 stress) + S^T (M b) and what loads apply, nodes x D, in newtons.
 inline Eigen::MatrixXd nodal_forces(const scene& set, const state& body, const basis& shapes, double t) {
     const Eigen::Index dimension = set.dimension();
     Eigen::MatrixXd f = Eigen::MatrixXd::Zero(set.node_count(), dimension);
@@ -31,7 +32,7 @@ inline Eigen::MatrixXd nodal_forces(const scene& set, const state& body, const b
                 body.mass[p] * set.acceleration(body.x.row(p).transpose(), body.v.row(p).transpose(), t).transpose();
         f += shapes.S.transpose() * load;
     }
-    return f;
+    return f + applied_forces(set, body, shapes, t);
 }
 
 /// What a step tells beside the particles.
@@ -92,7 +93,7 @@ inline step_result advance(const scene& set, state& body, double t, double dt) {
     if (order == stress_order::usf || half_and_half)
         strain_particles(set, body, shapes, velocity(P, time_of_start, k_strain).v, half_and_half ? dt / 2 : dt);
 
-    const Eigen::MatrixXd f = nodal_forces(set, body, shapes, t);
+    const Eigen::MatrixXd f = nodal_forces(set, body, shapes, t) + damping_forces(set, body, shapes, v_start, t, dt);
     if (euler) strain_particles(set, body, shapes, velocity(P, time_of_start, k_strain).v, dt);
 
     const Eigen::MatrixXd v_end_free = v_start + dt * (shapes.inverse_mass.asDiagonal() * f);

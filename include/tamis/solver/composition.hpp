@@ -160,6 +160,12 @@ template <class Grid, class... P> struct composition {
     using method = std::conditional_t<exact, boundary_method::collected, named_method>;
     static constexpr bool incremental = is_always<method, held_by::increments>();
 
+    static_assert(mass::full || !contains<read, field::full_acceleration>,
+                  "tamis: field::full_acceleration needs a full mass matrix; give fmpm<k> with k > 1");
+    static_assert(incremental || !contains<read, field::full_acceleration>,
+                  "tamis: field::full_acceleration knows of conditions by increments only; leave out the boundary "
+                  "method, and take fmpm<k> instead of an exact mass matrix");
+
     /// Has each body a velocity field of its own?
     static constexpr bool own_velocities = !requires { requires touch::never; };
     static_assert(

@@ -193,6 +193,10 @@ template <class Solver, class... Body> struct passes {
         if constexpr (contains<typename C::read, field::full_acceleration>) {
             nodes(copy_field<field::acceleration, field::increment>{});
             set_zero<field::full_acceleration>();
+            static_assert(
+                requires { mpm.transfer_.mass.template series<field::full_acceleration>(false, *this); },
+                "tamis: field::full_acceleration needs a mass matrix whose inverse has a fixed number of terms; give "
+                "fmpm<k>");
             mpm.transfer_.mass.template series<field::full_acceleration>(false, *this);
         }
     }
