@@ -26,7 +26,7 @@ TEST_CASE("bytes: a particle and a node take what the composition asks for, and 
     pin<1, linear_elastic, linear, flip, held>("held FLIP, 1D, linear", 48, 24);
     pin<1, linear_elastic, quadratic_spline, flip, held>("held FLIP, 1D, quadratic", 80, 24);
     pin<1, linear_elastic, linear, flip>("moving FLIP, 1D, linear", 40, 24);
-    pin<1, linear_elastic, linear, fmpm<2>, held>("held FMPM(2), 1D, linear", 48, 40);
+    pin<1, linear_elastic, linear, fmpm<2>, held>("held FMPM(2), 1D, linear", 48, 56);
     pin<2, linear_elastic, quadratic_spline, pic>("moving PIC, 2D, quadratic", 72, 40);
     pin<2, linear_elastic, quadratic_spline, flip, usl_plus>("moving FLIP, USL+, 2D, quadratic", 88, 40);
     pin<2, linear_elastic, quadratic_spline, fmpm<1>>("moving FMPM(1), 2D, quadratic", 72, 40);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "catch.hpp"
+#include "reference/dense.hpp"
 
 using namespace tamis;
 using namespace tamis::symbols;
@@ -115,6 +116,82 @@ TEST_CASE("full mass: by increments the series is stable to k = 1000, where it m
     CHECK(difference(exact, driven_bar(3, fmpm<dynamic>{1000}, usavg_plus{})) < 1e-9);
     CHECK(exact.unbalanced < 1e-14);
     CHECK(unbalanced_block(exact_fmpm{}, linear{}) < 1e-14);
+}
+
+TEST_CASE("full mass: a thousand increments are exact where the sum with binomials has lost every digit") {
+    const int cells = 8;
+    const double h = 1. / cells;
+    solver mpm{uniform_grid{{0.}, {1.}, h}, quadratic_spline{}, fmpm<dynamic>{1000}};
+    auto bar = mpm.make_body(law, everywhere, per_cell{2});
+    reference::scene set;
+    set.lower = Eigen::VectorXd::Zero(1);
+    set.upper = Eigen::VectorXd::Ones(1);
+    set.spacing = h;
+    set.shape = reference::shape_kind::quadratic_spline;
+    Eigen::MatrixXd places(2 * cells, 1);
+    Eigen::Index row = 0;
+    for (const auto p : std::as_const(bar)) places(row++, 0) = p[x][0];
+    const reference::basis shapes = evaluate_basis(set, places, Eigen::VectorXd::Constant(2 * cells, h / 2));
+
+    // m^(1/2) A m^(-1/2) is symmetric: sum A^l over l < k is (1 - lambda^k)/(1 - lambda) for each eigenvalue.
+    const Eigen::VectorXd root = shapes.mass.cwiseSqrt();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(root.asDiagonal() * shapes.A *
+                                                               root.cwiseInverse().asDiagonal());
+    const auto exact = [&](int k) {
+        Eigen::VectorXd sums(cells + 1);
+        for (Eigen::Index i = 0; i <= cells; ++i) {
+            const double lambda = modes.eigenvalues()[i];
+            sums[i] = 1 - lambda > 1e-12 ? (1 - std::pow(lambda, k)) / (1 - lambda) : k;
+        }
+        const Eigen::MatrixXd symmetric = modes.eigenvectors() * sums.asDiagonal() * modes.eigenvectors().transpose();
+        return Eigen::MatrixXd(root.cwiseInverse().asDiagonal() * symmetric * root.cwiseInverse().asDiagonal());
+    };
+    // sum over l from 1 to k of (-1)^(l+1) (k over l) (S+ S)^(l-1) m^-1
+    const auto by_binomials = [&](int k) {
+        const Eigen::MatrixXd smoothed = Eigen::MatrixXd::Identity(cells + 1, cells + 1) - shapes.A;
+        Eigen::MatrixXd power = shapes.inverse_mass.asDiagonal(), sum = Eigen::MatrixXd::Zero(cells + 1, cells + 1);
+        double binomial = 1;
+        for (int l = 1; l <= k; ++l) {
+            binomial *= static_cast<double>(k - l + 1) / l;
+            sum += (l % 2 == 1 ? binomial : -binomial) * power;
+            power = smoothed * power;
+        }
+        return sum;
+    };
+    const auto off = [](const Eigen::MatrixXd& found, const Eigen::MatrixXd& wanted) {
+        return (found - wanted).norm() / wanted.norm();
+    };
+    Eigen::MatrixXd found(cells + 1, cells + 1);
+    for (int j = 0; j <= cells; ++j) {
+        const auto column = mpm.inverse_column(bodies(bar), {j, 0, 0});
+        found.col(j) = Eigen::Map<const Eigen::VectorXd>(column.data(), cells + 1);
+    }
+    CAPTURE(off(found, exact(1000)), off(by_binomials(10), exact(10)), off(by_binomials(50), exact(50)),
+            off(by_binomials(1000), exact(1000)));
+    CHECK(off(found, exact(1000)) < 1e-11);
+    CHECK(off(by_binomials(10), exact(10)) < 1e-11);
+    CHECK(off(by_binomials(50), exact(50)) > 1e-5);
+    CHECK_FALSE(off(by_binomials(1000), exact(1000)) < 1e100);
+}
+
+TEST_CASE("full mass: bands of the matrix are kept in 1D where they pay, and nowhere else") {
+    const auto keeps = []<int D, class... Policy>(const uniform_grid<D, double>&, const Policy&...) {
+        using C = detail::composition<uniform_grid<D, double>, Policy...>;
+        using kept = field::mass_band<C::shape::support>;
+        return stores<typename C::node_fields, kept>;
+    };
+    const uniform_grid<1, double> line{{0.}, {1.}, 0.1};
+    const uniform_grid<2, double> square{{0., 0.}, {1., 1.}, 0.1};
+    CHECK(keeps(line, linear{}, fmpm<2>{}, held{}));
+    CHECK(keeps(line, linear{}, fmpm<3>{}));
+    CHECK(keeps(line, quadratic_spline{}, xpic<3>{}));
+    CHECK(keeps(line, cubic_spline{}, fmpm<4>{}));
+    CHECK(keeps(line, cubic_spline{}, fmpm<dynamic>{2}));
+    CHECK_FALSE(keeps(line, linear{}, fmpm<2>{}));
+    CHECK_FALSE(keeps(line, cubic_spline{}, fmpm<3>{}));
+    CHECK_FALSE(keeps(line, linear{}, flip{}, held{}));
+    CHECK_FALSE(keeps(line, linear{}, exact_fmpm{}));
+    CHECK_FALSE(keeps(square, linear{}, fmpm<4>{}, held{}));
 }
 
 TEST_CASE("full mass: every boundary method tells the reaction that balances momentum") {

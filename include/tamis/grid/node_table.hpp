@@ -25,7 +25,7 @@ template <class S, class List> class node_table {
 
     /// Component c of field F, over all places.
     template <class F> TAMIS_INLINE real* column(int c = 0) const {
-        return data_.get() + static_cast<std::size_t>(row::template first<F>() + c) * stride_;
+        return data_.get() + margin + static_cast<std::size_t>(row::template first<F>() + c) * stride_;
     }
     /// A vector field at one place.
     template <class F> TAMIS_INLINE point<S::dim, real> get(std::size_t place) const {
@@ -51,7 +51,7 @@ template <class S, class List> class node_table {
             while (k < blocks.size() && blocks[k] < b) ++k;
             if (k < blocks.size() && blocks[k] == b) continue;
             for (int c = 0; c < components; ++c)
-                std::fill_n(data_.get() + static_cast<std::size_t>(c) * stride_ + b * W, W, real(0));
+                std::fill_n(data_.get() + margin + static_cast<std::size_t>(c) * stride_ + b * W, W, real(0));
         }
         active_ = std::move(blocks);
         runs_.clear();
@@ -80,11 +80,13 @@ template <class S, class List> class node_table {
         };
         if (bytes > memory_of_machine()) throw refuse();
         try {
-            return new (std::align_val_t{64}) real[stride * static_cast<std::size_t>(components)]();
+            return new (std::align_val_t{64}) real[margin + stride * static_cast<std::size_t>(components)]();
         } catch (const std::bad_alloc&) {
             throw refuse();
         }
     }
+    /// Zeros before the first column, as there are after each: neighbours of a column's ends may be read.
+    static constexpr std::size_t margin = 64;
     std::size_t stride_;
     std::unique_ptr<real[], free_aligned> data_;
     std::vector<std::uint32_t> active_;

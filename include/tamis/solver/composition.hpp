@@ -9,6 +9,7 @@
 #include <tamis/shape/quadratic_spline.hpp>
 #include <tamis/solver/motion.hpp>
 #include <tamis/stress/order.hpp>
+#include <tamis/transfer/bands.hpp>
 #include <tamis/transfer/schemes.hpp>
 
 #include <tuple>
@@ -176,6 +177,7 @@ template <class Grid, class... P> struct composition {
                   "tamis: contact goes with boundary_method::incremental only, and with no exact mass matrix");
 
     static constexpr bool moves = motion::moves;
+    static constexpr bool bands = may_use_bands<dim, shape, mass, moves>;
     using kinds = load_kinds<load, point_type>;
     static constexpr bool loaded = kinds::on_particles || kinds::on_nodes;
     static constexpr bool remaps = order::remap && order::after > 0;
@@ -202,9 +204,10 @@ template <class Grid, class... P> struct composition {
                            std::conditional_t<mass::full, field::strain_velocity, field::start_velocity>>;
     static constexpr bool filters_first = mass::full && (order::before > 0 || order::explicit_euler);
 
-    using node_fields = merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
-                              std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>,
-                              fields<strains_after>, on_nodes_t<touch>, read>;
+    using node_fields =
+        merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
+              std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>, fields<strains_after>,
+              std::conditional_t<bands, fields<field::mass_band<shape::support>>, fields<>>, on_nodes_t<touch>, read>;
     /// What the step itself needs of a particle.
     using step_fields = merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
                               std::conditional_t<moves, on_particles_t<shape>, fields<>>,

@@ -132,6 +132,9 @@ template <class Solver, class... Body> struct passes {
     }
     /// SdV = S^T M S dv.
     void spread_increment() {
+        if constexpr (C::bands)
+            if (!C::moves || mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>)
+                return multiply_increment();
         set_zero<field::image>();
         each_body([](auto& b, auto& sweeps) {
             sweeps.template scatter_gathered<fields<const field::mass>, fields<field::increment>, fields<field::image>>(
@@ -221,6 +224,20 @@ template <class Solver, class... Body> struct passes {
             return true;
     }();
 
+    /// SdV by the assembled matrix, which is made anew when weights have changed.
+    void multiply_increment() {
+        using band = field::mass_band<C::shape::support>;
+        if (mpm.bands_made_for_ != mpm.weights_.number()) {
+            set_zero<band>();
+            each_body([](auto& b, auto& sweeps) {
+                sweeps.template scatter_weights<fields<const field::mass>, fields<band>>(
+                    b, bands_to_nodes<C::shape::support>{});
+            });
+            mpm.bands_made_for_ = mpm.weights_.number();
+        }
+        mpm.each_field(
+            [](auto& field) { field.sweeps.template multiply_by_bands<band, field::increment, field::image>(); });
+    }
     template <class Gradient, bool Strains, class B, class Sweeps>
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {
         using gathers = typename C::gathers;

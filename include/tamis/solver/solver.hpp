@@ -251,6 +251,7 @@ template <class Grid, class... Policies> class solver {
     std::size_t crossings_ = 0;
     series_report series_;
     detail::stamp weights_;
+    std::uint64_t bands_made_for_ = 0;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared
 
     template <detail::role R, class Default> static auto pick(const std::tuple<Policies...>& all) {

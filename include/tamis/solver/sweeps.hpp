@@ -77,7 +77,45 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         if (mail) store.mail_delivered();
     }
 
-    /// The same with made = S F for all node fields F of `Read`.
+    /// As `scatter` with made = the weights of a slot's particles at the nodes of a row, in 1D.
+    template <class Shown, class ToNodes, class Body, class Kernel> void scatter_weights(Body& body, Kernel kernel) {
+        static_assert(S::dim == 1);
+        auto& store = body.store();
+        each_tile_by_colour(store, [&](const tile& t) {
+            const weigh_type weigh(functions_, lattice_, t);
+            const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
+                std::array<T, static_cast<std::size_t>(N)> weights;
+                unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { weights[a] = st.weight(a, st.row(0)); });
+                return weights;
+            };
+            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
+                                         kernel);
+        });
+    }
+    /// To = B From in 1D, B a symmetric matrix whose rows' diagonal and upper entries are the components of `Bands`.
+    template <class Bands, class From, class To> void multiply_by_bands() {
+        static_assert(S::dim == 1);
+        constexpr int count = Bands::template components<S>;
+        constexpr std::size_t chunk = 256;
+        const auto& active = nodes_.active();
+        const real* const from = nodes_.template column<From>();
+        real* const to = nodes_.template column<To>();
+        run_.for_each((active.size() + chunk - 1) / chunk, [&](std::size_t k) {
+            for (std::size_t b = k * chunk; b < std::min(active.size(), (k + 1) * chunk); ++b) {
+                const auto place = static_cast<std::ptrdiff_t>(active[b]) * W;
+                T sum = lane<T>::load(nodes_.template column<Bands>(0) + place) * lane<T>::load(from + place);
+                unroll<count - 1>([&](auto j) TAMIS_INLINE_LAMBDA {
+                    constexpr int off = j + 1;
+                    const real* const band = nodes_.template column<Bands>(off) + place;
+                    sum += lane<T>::load(band) * lane<T>::load(from + place + off);
+                    sum += lane<T>::load(band - off) * lane<T>::load(from + place - off);
+                });
+                lane<T>::store(to + place, sum);
+            }
+        });
+    }
+
+    /// As `scatter` with made = S F for all node fields F of `Read`.
     template <class Shown, class Read, class ToNodes, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();

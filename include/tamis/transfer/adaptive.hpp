@@ -19,6 +19,8 @@ class adaptive_mass {
                                          "; give a share of the lumped velocity, 0 or more"));
         if (most < 1) throw error(detail::sentence("adaptive_fmpm: at most ", most, " terms; give 1 or more"));
     }
+    /// At most.
+    int terms() const { return most_; }
     template <class To> void filter(bool felt, auto& pass) const {
         pass.nodes(detail::copy_field<field::velocity, field::increment>{});
         if constexpr (!std::same_as<To, field::velocity>) pass.nodes(detail::copy_field<field::velocity, To>{});

@@ -16,6 +16,7 @@ template <int K> struct term_count {
     static_assert(K >= 1,
                   "tamis: FMPM(k) and XPIC(k) need k >= 1; use fmpm<dynamic>{k} for a k known at run time, flip "
                   "for no full mass matrix");
+    static constexpr int fixed_terms = K;
     static constexpr int terms() { return K; }
 };
 template <> class term_count<dynamic> {

@@ -2,6 +2,8 @@
 #include <tamis/transfer/near.hpp>
 #include <tamis/particles/tile.hpp>
 
+#include <concepts>
+
 namespace tamis::detail {
 
 /// Adds a row of sums to the node columns. Unaligned adds at x, x + 1, x + 2 would each wait for the store before to
@@ -33,9 +35,10 @@ TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, 
     (unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA { column(std::type_identity<F>{}, c); }), ...);
 }
 
-/// Runs `kernel(p, near, made)` for all slots of a tile and adds what it put on the nodes. `make(slot, stencil, frame)`
-/// gives what is the same for every node of a slot. Where there is more than one row of nodes, slots' weights are kept
-/// while rows go by, and a row is flushed once per chunk.
+/// Runs `kernel(p, near, made)`, or `kernel(p, near, made, a)` with the place a of the node in its row, for all slots
+/// of a tile and adds what it put on the nodes. `make(slot, stencil, frame)` gives what is the same for every node of a
+/// slot. Where there is more than one row of nodes, slots' weights are kept while rows go by, and a row is flushed once
+/// per chunk.
 template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Make,
           class Kernel>
 TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& nodes, Slot* slots, const tile& t,
@@ -47,7 +50,11 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
                          const auto& made) TAMIS_INLINE_LAMBDA {
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
             const one_node<S, sums_type, ToNodes> near{{{sums[a]}, st.weight(a, across), st.slope(a, across)}};
-            kernel(slot_row<S, Slot, Shown>{from, at}, near, made);
+            const slot_row<S, Slot, Shown> p{from, at};
+            if constexpr (std::invocable<Kernel&, decltype(p), decltype(near), decltype(made), decltype(a)>)
+                kernel(p, near, made, a);
+            else
+                kernel(p, near, made);
         });
     };
     if constexpr (rows == 1) {
