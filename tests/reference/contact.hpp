@@ -20,6 +20,10 @@ namespace reference {
 
 enum class contact_law { bonded, frictionless, coulomb };
 
+/// What contact acts upon beside the momentum of the step's start: p+ and every increment of the full mass matrix's
+/// series; p+ alone; the velocity that the series gave.
+enum class contact_stage { increments, momentum, velocity };
+
 /// How bodies, each with nodal velocities of its own, meet on the nodes they share.
 struct contact_rule {
     contact_law law = contact_law::coulomb;
@@ -29,6 +33,7 @@ struct contact_rule {
     std::function<Eigen::VectorXd(const Eigen::VectorXd& at)> normal = {};
     /// Bodies touch only if (x_b - x_a) . n < cells * spacing, x = sum_p S_pi M_p X_p / m.
     double cells = std::numeric_limits<double>::infinity();
+    contact_stage stage = contact_stage::increments;
 };
 
 enum class contact_state { apart, sticks, slides };
@@ -168,7 +173,8 @@ struct contact_result {
 
 /// One step of bodies of one law that touch, by FLIP or FMPM(k). Contact acts before the conditions, which therefore
 /// hold: on the momentum of the start, a change that FLIP's particles do not feel; on p + f dt, as a force; on every
-/// increment made of either; and on momentum that is extrapolated again.
+/// increment made of either; and on momentum that is extrapolated again. Other stages of the rule leave some of these
+/// out.
 inline contact_result advance(const scene& set, const contact_rule& rule, std::vector<state>& bodies, double t,
                               double dt) {
     const bool is_fmpm = set.update.kind == update_kind::fmpm;
@@ -202,17 +208,23 @@ inline contact_result advance(const scene& set, const contact_rule& rule, std::v
             if (counts) result.reactions += shapes[b].mass.asDiagonal() * (v[b] - free) / dt;
         });
     };
-    const auto full = [&](const fields_of_bodies& lumped, bool counts) {
+    const bool after_series = rule.stage == contact_stage::velocity;
+    const auto full = [&](const fields_of_bodies& lumped, double time, bool counts) {
         fields_of_bodies v = lumped, dv = lumped;
         for (int l = 2; l <= k; ++l) {
             each([&](std::size_t b) { dv[b] = shapes[b].A * dv[b]; });
-            contact.increments(dv, counts ? 1 / dt : 0);
+            if (rule.stage == contact_stage::increments) contact.increments(dv, counts ? 1 / dt : 0);
             each([&](std::size_t b) {
                 const Eigen::MatrixXd free = dv[b];
                 dv[b] = held[b].zeroed(free);
                 if (counts) result.reactions += shapes[b].mass.asDiagonal() * (dv[b] - free) / dt;
                 v[b] += dv[b];
             });
+        }
+        if (after_series) {
+            const double heat = contact.lumped(v, counts ? 1 / dt : 0);
+            if (counts) result.heat = heat;
+            impose(v, time, counts);
         }
         return v;
     };
@@ -231,7 +243,7 @@ inline contact_result advance(const scene& set, const contact_rule& rule, std::v
     fields_of_bodies v_start = velocities();
     contact.lumped(v_start, is_fmpm ? 1 / dt : 0);
     impose(v_start, t, is_fmpm);
-    if (order == stress_order::usf || half_and_half) strain(full(v_start, false));
+    if (order == stress_order::usf || half_and_half) strain(full(v_start, t, false));
 
     fields_of_bodies v_end(bodies.size());
     each([&](std::size_t b) {
@@ -240,9 +252,9 @@ inline contact_result advance(const scene& set, const contact_rule& rule, std::v
         for (Eigen::Index i = 0; i < set.node_count(); ++i)
             if (!shapes[b].takes_part(i)) result.reactions.row(i) -= f.row(i);
     });
-    result.heat = contact.lumped(v_end, 1 / dt);
+    if (!after_series) result.heat = contact.lumped(v_end, 1 / dt);
     impose(v_end, t + dt, true);
-    fields_of_bodies v_last = full(v_end, true);
+    fields_of_bodies v_last = full(v_end, t + dt, true);
     result.touching = contact.all();
 
     fields_of_bodies x(bodies.size());
@@ -254,9 +266,9 @@ inline contact_result advance(const scene& set, const contact_rule& rule, std::v
     });
     if (again) {
         v_last = velocities();
-        contact.lumped(v_last);
+        if (!after_series) contact.lumped(v_last);
         impose(v_last, t + dt, false);
-        v_last = full(v_last, false);
+        v_last = full(v_last, t + dt, false);
     }
     if (order != stress_order::usf) strain(v_last);
     each([&](std::size_t b) {

@@ -175,6 +175,21 @@ TEST_CASE("contact: fmpm of bonded bodies agrees with the reference", "[referenc
     check_fmpm<quadratic_spline, usl_plus>(contact{bonded{}}, {.law = contact_law::bonded});
 }
 
+TEST_CASE("contact: fmpm with contact on p+ alone agrees with the reference", "[reference_matrix]") {
+    check_fmpm<quadratic_spline, usavg_minus>(
+        contact{coulomb{0.3}, normal_by_mass{}, by_approach{}, contact_method::lumped{}},
+        {.law = contact_law::coulomb, .mu = 0.3, .stage = reference::contact_stage::momentum});
+}
+
+TEST_CASE("contact: fmpm with contact after the series agrees with the reference", "[reference_matrix]") {
+    check_fmpm<quadratic_spline, usl_minus>(
+        contact{coulomb{0.3}, normal_by_mass{}, by_approach{}, contact_method::velocity{}},
+        {.law = contact_law::coulomb, .mu = 0.3, .stage = reference::contact_stage::velocity});
+    check_fmpm<quadratic_spline, usl_plus>(
+        contact{frictionless{}, given_normal{slanted}, by_approach{}, contact_method::velocity{}},
+        {.law = contact_law::frictionless, .normal = slanted, .stage = reference::contact_stage::velocity});
+}
+
 TEST_CASE("contact: flip agrees with the reference", "[reference_matrix]") {
     const reference::update same = reference::flip();
     check<quadratic_spline, usl_minus>(flip{}, same, contact{bonded{}}, {.law = contact_law::bonded});

@@ -88,7 +88,7 @@ struct incremental {
 struct lumped {
     static constexpr bool on_momentum = true, on_increments = false, on_velocity = false;
 };
-/// On the velocity the series gave, after it.
+/// On the momentum of the step's start and, in place of p+, on the velocity the series gave, after it.
 struct velocity {
     static constexpr bool on_momentum = false, on_increments = false, on_velocity = true;
 };

@@ -116,7 +116,11 @@ template <class Solver, class... Body> struct passes {
         if constexpr (C::incremental || is_always<method, held_by::lumped>() || !Solver::held_type::any) {
             mass.template filter<To>(felt, *this);
             if constexpr (C::own_velocities)
-                if (!acts_on_momentum) mpm.contact_.template velocity<To>(tables(), dt_, felt);
+                if (!acts_on_momentum) {
+                    mpm.contact_.template velocity<To>(tables(), dt_, felt);
+                    each_held(
+                        [&](auto& held, auto& table) { held.template impose_velocity<To>(table, inverse_dt, felt); });
+                }
         } else {
             const held_by how = mpm.field_.held.how();
             if (on_lumped(how)) each_held([](auto& held, auto& table) { held.remember(table); });
