@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace tamis {
@@ -175,7 +176,7 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
         values_at_ = std::numeric_limits<double>::quiet_NaN();
     }
     /// Which blocks of nodes particles reach: the others take no part.
-    void attend(const std::vector<char>& reached) {
+    void attend(std::span<const char> reached) {
         if constexpr (any) {
             active_.clear();
             values_at_ = std::numeric_limits<double>::quiet_NaN();

@@ -1,6 +1,14 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <new>
+#include <type_traits>
+#include <utility>
 #if defined(__unix__) || defined(__APPLE__)
+#include <sys/mman.h>
 #include <unistd.h>
 #endif
 
@@ -14,5 +22,103 @@ inline double memory_of_machine() {
 #endif
     return std::numeric_limits<double>::infinity();
 }
+
+/// Vectors aligned to cache lines, by plain allocations: aligned ones leave holes in the heap of glibc before 2.38,
+/// which then grows for ever where large vectors come and go.
+template <class T> struct aligned_allocator {
+    using value_type = T;
+    static constexpr std::size_t alignment = 64;
+    aligned_allocator() = default;
+    template <class U> aligned_allocator(const aligned_allocator<U>&) {}
+    T* allocate(std::size_t count) {
+        if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T)) throw std::bad_alloc();
+        char* const all = static_cast<char*>(::operator new(count * sizeof(T) + alignment));
+        const std::size_t to_next = alignment - reinterpret_cast<std::uintptr_t>(all) % alignment;
+        char* const first = all + to_next;
+        first[-1] = static_cast<char>(to_next);
+        return reinterpret_cast<T*>(first);
+    }
+    void deallocate(T* from, std::size_t) noexcept {
+        char* const first = reinterpret_cast<char*>(from);
+        ::operator delete(first - first[-1]);
+    }
+    template <class U> bool operator==(const aligned_allocator<U>&) const { return true; }
+};
+
+/// Numbers that start as zero and, where there are many, take memory only where they are written: a page at a time.
+/// Throws std::bad_alloc if there is no such range of addresses.
+template <class T> class zeros {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+  public:
+    zeros() = default;
+    explicit zeros(std::size_t count) : size_(count), data_(allocate(count)) {}
+    zeros(const zeros& from) : zeros(from.size_) {
+        // A page of zeros is not written, so that it takes no memory here either.
+        constexpr std::size_t page = 4096 / sizeof(T);
+        for (std::size_t k = 0; k < size_; k += page) {
+            const std::size_t n = std::min(page, size_ - k);
+            const T* const first = from.data_ + k;
+            if (std::any_of(first, first + n, [](const T& a) { return a != T(0); }))
+                std::memcpy(data_ + k, first, n * sizeof(T));
+        }
+    }
+    zeros(zeros&& from) noexcept { swap(from); }
+    zeros& operator=(zeros from) noexcept {
+        swap(from);
+        return *this;
+    }
+    ~zeros() { release(); }
+
+    std::size_t size() const { return size_; }
+    T* data() { return data_; }
+    const T* data() const { return data_; }
+    T& operator[](std::size_t k) { return data_[k]; }
+    const T& operator[](std::size_t k) const { return data_[k]; }
+
+  private:
+    std::size_t size_ = 0;
+    T* data_ = nullptr;
+
+    void swap(zeros& other) noexcept {
+        std::swap(size_, other.size_);
+        std::swap(data_, other.data_);
+    }
+    static bool is_mapped([[maybe_unused]] std::size_t count) {
+#if defined(MAP_ANONYMOUS)
+        return count > (std::size_t(1) << 20) / sizeof(T);
+#else
+        return false;
+#endif
+    }
+    static T* allocate(std::size_t count) {
+#if defined(MAP_ANONYMOUS)
+        if (is_mapped(count)) {
+#if defined(MAP_NORESERVE)
+            constexpr int flags = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
+#else
+            constexpr int flags = MAP_PRIVATE | MAP_ANONYMOUS;
+#endif
+            if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T)) throw std::bad_alloc();
+            void* const pages = mmap(nullptr, count * sizeof(T), PROT_READ | PROT_WRITE, flags, -1, 0);
+            if (pages == MAP_FAILED) throw std::bad_alloc();
+            return static_cast<T*>(pages);
+        }
+#endif
+        T* const found = aligned_allocator<T>().allocate(count);
+        std::fill_n(found, count, T(0));
+        return found;
+    }
+    void release() noexcept {
+        if (!data_) return;
+#if defined(MAP_ANONYMOUS)
+        if (is_mapped(size_)) {
+            munmap(data_, size_ * sizeof(T));
+            return;
+        }
+#endif
+        aligned_allocator<T>().deallocate(data_, size_);
+    }
+};
 
 }  // namespace tamis::detail

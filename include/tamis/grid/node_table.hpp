@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
+#include <limits>
 #include <new>
 #include <vector>
 
@@ -18,14 +18,14 @@ template <class S, class List> class node_table {
     using row = values<S, List>;
     static constexpr int components = row::components;
 
-    /// Throws `error` if the machine has not the memory.
+    /// Memory is taken for nodes in use only. Throws `error` if there are too many nodes for it.
     explicit node_table(std::size_t places)
         // Not a power of two: columns stay out of each other's cache sets.
-        : stride_((places + 63) / 64 * 64 + 80), data_(allocate(stride_)) {}
+        : stride_((places + 63) / 64 * 64 + 80), data_(allocate(places, stride_)) {}
 
     /// Component c of field F, over all places.
     template <class F> TAMIS_INLINE real* column(int c = 0) const {
-        return data_.get() + margin + static_cast<std::size_t>(row::template first<F>() + c) * stride_;
+        return first_ + static_cast<std::size_t>(row::template first<F>() + c) * stride_;
     }
     /// A vector field at one place.
     template <class F> TAMIS_INLINE point<S::dim, real> get(std::size_t place) const {
@@ -45,13 +45,14 @@ template <class S, class List> class node_table {
     const std::vector<std::uint32_t>& active() const { return active_; }
     void set_active(std::vector<std::uint32_t> blocks) {
         constexpr auto W = static_cast<std::size_t>(S::width);
+        check_memory(blocks.size());
         // Blocks that are left must not keep values: nobody writes there any more, but held nodes may be read.
         std::size_t k = 0;
         for (const std::uint32_t b : active_) {
             while (k < blocks.size() && blocks[k] < b) ++k;
             if (k < blocks.size() && blocks[k] == b) continue;
             for (int c = 0; c < components; ++c)
-                std::fill_n(data_.get() + margin + static_cast<std::size_t>(c) * stride_ + b * W, W, real(0));
+                std::fill_n(first_ + static_cast<std::size_t>(c) * stride_ + b * W, W, real(0));
         }
         active_ = std::move(blocks);
         runs_.clear();
@@ -65,30 +66,32 @@ template <class S, class List> class node_table {
     }
 
   private:
-    struct free_aligned {
-        void operator()(real* p) const { ::operator delete[](p, std::align_val_t{64}); }
-    };
     struct run {
         std::size_t first, count;
     };
-    static real* allocate(std::size_t stride) {
-        const double bytes = static_cast<double>(stride) * components * sizeof(real);
-        const auto refuse = [&] {
-            return error(sentence("the grid's nodes need ", bytes / 1e9, " GB of memory, ",
-                                  sizeof(real) * static_cast<std::size_t>(components),
-                                  " bytes each, which this machine has not; take fewer cells"));
-        };
-        if (bytes > memory_of_machine()) throw refuse();
+    static zeros<real> allocate(std::size_t places, std::size_t stride) {
         try {
-            return new (std::align_val_t{64}) real[margin + stride * static_cast<std::size_t>(components)]();
+            // Blocks of places have 32-bit numbers.
+            if (places / static_cast<std::size_t>(S::width) >= std::numeric_limits<std::uint32_t>::max())
+                throw std::bad_alloc();
+            return zeros<real>(margin + stride * static_cast<std::size_t>(components));
         } catch (const std::bad_alloc&) {
-            throw refuse();
+            throw error(sentence("the grid's ", places, " nodes are more than can be numbered; take fewer cells"));
         }
+    }
+    static void check_memory(std::size_t blocks) {
+        constexpr std::size_t block = sizeof(real) * static_cast<std::size_t>(components * S::width);
+        const double bytes = static_cast<double>(blocks) * static_cast<double>(block);
+        if (bytes > memory_of_machine())
+            throw error(sentence("the nodes that particles reach need ", bytes / 1e9, " GB of memory, ",
+                                 sizeof(real) * static_cast<std::size_t>(components),
+                                 " bytes each, which this machine has not; take fewer cells"));
     }
     /// Zeros before the first column, as there are after each: neighbours of a column's ends may be read.
     static constexpr std::size_t margin = 64;
     std::size_t stride_;
-    std::unique_ptr<real[], free_aligned> data_;
+    zeros<real> data_;
+    real* first_ = data_.data() + margin;
     std::vector<std::uint32_t> active_;
     std::vector<run> runs_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 #include <tamis/core/error.hpp>
+#include <tamis/core/memory.hpp>
 #include <tamis/core/stamp.hpp>
 #include <tamis/core/values.hpp>
 #include <tamis/grid/lattice.hpp>
@@ -41,11 +42,11 @@ template <class S, class List> class tile_store {
     static constexpr int outside = -1;
 
     std::vector<tile> tiles;
-    std::vector<slot> slots;
+    std::vector<slot, aligned_allocator<slot>> slots;
     std::vector<std::uint32_t> occupied;  // per slot: which lanes hold a particle
     stamp layout;                         // renewed when tiles come or go
 
-    explicit tile_store(std::size_t blocks) : tile_of_block_(blocks, -1) {}
+    explicit tile_store(std::size_t blocks) : tile_of_block_(blocks) {}
 
     std::size_t size() const { return count_; }
     real* lane_of(std::uint32_t s, int l) { return reinterpret_cast<real*>(&slots[s]) + l; }
@@ -102,7 +103,9 @@ template <class S, class List> class tile_store {
         // Slots are made here, not in `deliver`: that may run in several threads.
         for (std::size_t k = before; k < mail_.size(); ++k) {
             tile& t = tiles[static_cast<std::size_t>(tile_at(lattice, mail_[k].cell))];
-            if (t.count + t.letters > t.room) make_room(t, t.count + t.letters);
+            if (t.letter != static_cast<int>(k) || t.count + t.letters <= t.room) continue;
+            const std::uint32_t wanted = slots_with_letters(t);
+            if (wanted > t.room) make_room(t, wanted + 1);
         }
         return mail_.size() - before;
     }
@@ -148,12 +151,12 @@ template <class S, class List> class tile_store {
         std::sort(order.begin(), order.end(),
                   [&](std::size_t a, std::size_t b) { return tiles[a].node < tiles[b].node; });
         std::vector<tile> new_tiles;
-        std::vector<slot> new_slots;
+        std::vector<slot, aligned_allocator<slot>> new_slots;
         std::vector<std::uint32_t> new_occupied;
         new_tiles.reserve(order.size());
         new_slots.reserve(needed);
         new_occupied.reserve(needed);
-        std::fill(tile_of_block_.begin(), tile_of_block_.end(), -1);
+        for (const tile& t : tiles) tile_of_block_[lattice.block_place(t.at)] = 0;
         for (const std::size_t k : order) {
             tile t = tiles[k];
             const auto first = static_cast<std::uint32_t>(new_slots.size());
@@ -167,8 +170,8 @@ template <class S, class List> class tile_store {
             }
             t.first = first;
             t.room = t.count + spare;
-            tile_of_block_[lattice.block_place(t.at)] = static_cast<int>(new_tiles.size());
             new_tiles.push_back(t);
+            tile_of_block_[lattice.block_place(t.at)] = static_cast<int>(new_tiles.size());
         }
         tiles.swap(new_tiles);
         slots.swap(new_slots);
@@ -223,19 +226,19 @@ template <class S, class List> class tile_store {
     bool arranged_ = false, emptied_ = false;
     std::vector<std::uint32_t> order_, slabs_{0};
     std::vector<letter> mail_;
-    std::vector<int> tile_of_block_;  // -1: none
+    zeros<int> tile_of_block_;  // from 1; 0: none
     std::size_t count_ = 0, sorted_ = 0, tidied_ = 0;
 
     template <class Lattice> int tile_at(const Lattice& lattice, const std::array<int, 3>& cell) {
         const std::array<int, 3> at{cell[0] / W, cell[1], cell[2]};
         int& t = tile_of_block_[lattice.block_place(at)];
-        if (t < 0) {
-            t = static_cast<int>(tiles.size());
+        if (t == 0) {
             tiles.push_back({at, lattice.first_node(at), static_cast<std::uint32_t>(slots.size()), 0, 0, -1, 0});
+            t = static_cast<int>(tiles.size());
             arranged_ = false;
             layout.renew();
         }
-        return t;
+        return t - 1;
     }
     void clear_lane(std::uint32_t s, int l) {
         real* p = lane_of(s, l);
@@ -253,6 +256,15 @@ template <class S, class List> class tile_store {
         const std::uint32_t s = t.first + t.count++;
         occupied[s] = 1u << l;
         return s;
+    }
+    /// Slots that a tile will need once its letters are in: those of its fullest lane, or those it has.
+    std::uint32_t slots_with_letters(const tile& t) const {
+        std::array<std::uint32_t, static_cast<std::size_t>(W)> in_lane{};
+        for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
+            for (std::size_t l = 0; l < in_lane.size(); ++l) in_lane[l] += occupied[s] >> l & 1u;
+        for (int k = t.letter; k >= 0; k = mail_[static_cast<std::size_t>(k)].next)
+            ++in_lane[static_cast<std::size_t>(mail_[static_cast<std::size_t>(k)].cell[0] % W)];
+        return std::max(t.count, *std::max_element(in_lane.begin(), in_lane.end()));
     }
     /// Moves the tile's slots to the end, where there is more room.
     void make_room(tile& t, std::uint32_t room) {

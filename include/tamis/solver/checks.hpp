@@ -1,5 +1,6 @@
 #pragma once
 #include <tamis/core/error.hpp>
+#include <tamis/core/memory.hpp>
 #include <tamis/particles/body.hpp>
 
 #include <cmath>
@@ -53,25 +54,27 @@ template <class Body, class Grid> void check_particles(const Body& b, const Grid
     }
 }
 
-/// Which blocks of W nodes particles reach.
+/// Which blocks of W nodes particles reach: a mark for each block of the grid, and a list of those marked.
 struct block_marks {
-    std::vector<char> reached;
+    zeros<char> reached;
+    std::vector<std::uint32_t> blocks;
     std::size_t width;
     block_marks(std::size_t nodes, int w)
-        : reached(nodes / static_cast<std::size_t>(w) + 2, 0), width(static_cast<std::size_t>(w)) {}
+        : reached(nodes / static_cast<std::size_t>(w) + 2), width(static_cast<std::size_t>(w)) {}
 };
 template <class Lattice> void mark_reached(const std::vector<tile>& tiles, const Lattice& lattice, block_marks& on) {
     for (const tile& t : tiles)
         for (int r = 0; r < Lattice::rows; ++r) {
             const std::size_t first = (t.node + lattice.row_offset(r)) / on.width;
-            for (std::size_t k = 0; k <= (on.width + Lattice::N - 2) / on.width; ++k) on.reached[first + k] = 1;
+            for (std::size_t k = 0; k <= (on.width + Lattice::N - 2) / on.width; ++k)
+                if (!std::exchange(on.reached[first + k], char(1)))
+                    on.blocks.push_back(static_cast<std::uint32_t>(first + k));
         }
 }
-inline std::vector<std::uint32_t> marked(const block_marks& on) {
-    std::vector<std::uint32_t> blocks;
-    for (std::size_t k = 0; k < on.reached.size(); ++k)
-        if (on.reached[k]) blocks.push_back(static_cast<std::uint32_t>(k));
-    return blocks;
+/// Ascending.
+inline std::vector<std::uint32_t> marked(block_marks& on) {
+    std::sort(on.blocks.begin(), on.blocks.end());
+    return std::move(on.blocks);
 }
 
 }  // namespace tamis::detail

@@ -320,7 +320,7 @@ template <class Grid, class... Policies> class solver {
                 if (!C::own_velocities || body++ == f) detail::mark_reached(b.store().tiles, lattice_, on);
             });
             field.sweeps.nodes().set_active(detail::marked(on));
-            field.held.attend(on.reached);
+            field.held.attend({on.reached.data(), on.reached.size()});
             if constexpr (!C::moves) field.sweeps.nodes().template set_zero<field::mass>();
         }
         if constexpr (!C::moves) {

@@ -1,0 +1,81 @@
+// What a step costs follows the body, not the box that it is in.
+#include <tamis/tamis.hpp>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <vector>
+
+#include "catch.hpp"
+
+#if defined(__unix__)
+#include <sys/resource.h>
+#endif
+
+using namespace tamis;
+using namespace tamis::symbols;
+
+namespace {
+
+using place = point<3, double>;
+
+/// A block of 8 x 8 x 8 cells that drifts and deforms, near the lower corner of a box; its particles in order.
+std::vector<std::array<double, 6>> drifting(int cells_of_box) {
+    const double h = 1. / 1024, side = h * cells_of_box;
+    solver mpm{uniform_grid{{0., 0., 0.}, {side, side, side}, h}, quadratic_spline{}, fmpm<2>{}};
+    std::vector<place> places;
+    for (int k = 0; k < 16; ++k)
+        for (int j = 0; j < 16; ++j)
+            for (int i = 0; i < 16; ++i) places.emplace_back(place(i + 8.5, j + 8.5, k + 8.5) * (h / 2));
+    auto block = mpm.make_body_at(linear_elastic{.young = 1, .poisson = 0.3, .density = 1}, places, h * h * h / 8);
+    set_velocity_of(block, [](const place& at) { return place(0.3 - 20 * at[1], 0.1 + 10 * at[2], 0.2); });
+    for (int n = 0; n < 40; ++n) mpm.step(bodies(block), 0.2 * h);
+    CHECK(mpm.crossings() > 1000);
+    std::vector<std::array<double, 6>> all;
+    for (const auto p : std::as_const(block)) {
+        const place X = p[x], V = p[v];
+        all.push_back({X[0], X[1], X[2], V[0], V[1], V[2]});
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("sparse: a body in a box of 1024^3 cells runs as in a small one, in proportion to the body") {
+    const auto in_small = drifting(64);
+#if defined(__unix__)
+    const auto peak = [] {
+        rusage used{};
+        getrusage(RUSAGE_SELF, &used);
+        return static_cast<double>(used.ru_maxrss) / 1024;
+    };
+    const double before = peak();
+#endif
+    const auto in_huge = drifting(1024);
+    CHECK(in_huge == in_small);
+#if defined(__unix__)
+    // In MB; all nodes of the box would take 110 GB.
+    CHECK(peak() - before < 64);
+#endif
+}
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+TEST_CASE("sparse: particles that cross cells do not make the heap grow") {
+    const double h = 1. / 64;
+    solver mpm{uniform_grid{{0., 0., 0.}, {1., 1., 1.}, h}, quadratic_spline{}, flip{}};
+    const auto inside = [&](const place& at) { return at.minCoeff() > 4 * h && at.maxCoeff() < 20 * h; };
+    auto block = mpm.make_body(linear_elastic{.young = 1, .poisson = 0.3, .density = 1}, inside, per_cell{2});
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> any(0.2, 0.5);
+    for (auto p : block) p[v] = place(any(random), any(random), any(random));
+    const auto steps = [&](int count) {
+        for (int n = 0; n < count; ++n) mpm.step(bodies(block), 0.2 * h);
+        return static_cast<double>(mallinfo2().arena + mallinfo2().hblkhd) / 1e6;
+    };
+    const double settled = steps(40);
+    CHECK(steps(120) < 1.5 * settled + 8);
+    CHECK(mpm.crossings() > 100000);
+}
+#endif
