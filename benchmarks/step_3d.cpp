@@ -11,5 +11,9 @@ int main(int argc, char** argv) {
     ratio_run run;
     run.add("3D/by hand/quadratic/flip", "", [=] { return hand_stepped<block>{std::make_unique<block>(n)}; });
     add_steps<3>(run, n, "3D", "3D/by hand/quadratic/flip");
+    // Two million particles: beyond the caches.
+    run.add("3D/by hand/quadratic/flip/64 cells", "", [] { return hand_stepped<block>{std::make_unique<block>(64)}; });
+    run.add("3D/quadratic/flip/64 cells", "3D/by hand/quadratic/flip/64 cells",
+            [] { return elastic_block<3, double>(64, tamis::quadratic_spline{}, tamis::flip{}); });
     return run.run(argc, argv);
 }

@@ -1,0 +1,76 @@
+// What it costs when particles change cells: a 3D block that drifts to and fro, its particles anywhere in their cells.
+// The occupancy printed at the end is the share of lanes that hold a particle.
+#include <tamis/tamis.hpp>
+
+#include <cstdio>
+#include <random>
+#include <vector>
+
+#include "ratios.hpp"
+
+namespace {
+
+using namespace tamis;
+using namespace tamis::symbols;
+using place = point<3, double>;
+
+constexpr int cells = 32;
+constexpr double h = 1. / 64;
+
+template <class Solver, class Body> struct drifting {
+    std::unique_ptr<Solver> mpm;
+    std::unique_ptr<Body> body;
+    double dt, speed;
+    int done = 0;
+    void step() {
+        // Back and forth over a cell and a half, all particles alike.
+        if (done++ % turn() == 0) {
+            for (auto p : *body) p[v] = place::Constant(speed);
+            speed = -speed;
+        }
+        mpm->step(bodies(*body), dt);
+    }
+    int turn() const { return speed == 0 ? 1 << 30 : static_cast<int>(1.5 * h / (std::abs(speed) * dt)); }
+    std::size_t particles() const { return body->size(); }
+};
+
+/// `share`: of the particles that cross in a step. The start is disordered: each particle takes a random place in its
+/// quarter of the cell.
+auto block(double share) {
+    auto mpm = std::make_unique<solver<uniform_grid<3, double>, quadratic_spline, flip>>(
+        uniform_grid{{0., 0., 0.}, {1., 1., 1.}, h}, quadratic_spline{}, flip{});
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(-0.25, 0.25);
+    std::vector<place> places;
+    for (int k = 0; k < 2 * cells; ++k)
+        for (int j = 0; j < 2 * cells; ++j)
+            for (int i = 0; i < 2 * cells; ++i) {
+                const place at(16 + 0.5 * (i + 0.5), 16 + 0.5 * (j + 0.5), 16 + 0.5 * (k + 0.5));
+                places.push_back((at + place(any(random), any(random), any(random)) - place::Constant(0.5)) * h);
+            }
+    const linear_elastic law{.young = 1, .poisson = 0.3, .density = 1};
+    using body_type = decltype(mpm->make_body_at(law, places, h * h * h / 8));
+    auto body = std::make_unique<body_type>(mpm->make_body_at(law, places, h * h * h / 8));
+    const double dt = 1e-4 * h;
+    return drifting<std::decay_t<decltype(*mpm)>, body_type>{std::move(mpm), std::move(body), dt, share / 3 * h / dt};
+}
+
+void tell(double share) {
+    auto one = block(share);
+    for (int n = 0; n < 60; ++n) one.step();
+    std::printf("crossing %4.1f %%: occupancy %.2f after 60 steps, %.2f %% of the particles crossed per step\n",
+                100 * share, one.body->occupancy(),
+                100 * static_cast<double>(one.mpm->crossings()) / 60 / static_cast<double>(one.particles()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    ratio_run run;
+    run.add("3D/quadratic/flip/crossing 0 %", "", [] { return block(0); });
+    run.add("3D/quadratic/flip/crossing 1 %", "3D/quadratic/flip/crossing 0 %", [] { return block(0.01); });
+    run.add("3D/quadratic/flip/crossing 5 %", "3D/quadratic/flip/crossing 0 %", [] { return block(0.05); });
+    const int status = run.run(argc, argv);
+    for (const double share : {0., 0.01, 0.05}) tell(share);
+    return status;
+}
