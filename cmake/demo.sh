@@ -1,5 +1,5 @@
 #!/bin/sh
-# sh cmake/demo.sh: installs what is missing (Debian, Ubuntu), builds the examples, and runs three scenes. Tables,
+# sh cmake/demo.sh: installs what is missing (Debian, Ubuntu), builds the examples, and runs four scenes. Tables,
 # CSV files and plots are left in out/.
 set -eu
 cd "$(dirname "$0")/.."
@@ -25,5 +25,10 @@ for scene in standing_wave reflection shock; do
         echo "gnuplot is not installed, so $scene is not plotted."
     fi
 done
+echo "== shock_tube"
+build/demo/examples/shock_tube --summary out/shock_tube.json --csv out/shock_tube.csv
+if command -v gnuplot > /dev/null; then
+    gnuplot -e "csv='out/shock_tube.csv'; out='out/shock_tube'" examples/plots/shock_tube.gp
+fi
 echo "== Written to out/:"
 ls out

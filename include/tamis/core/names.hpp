@@ -30,6 +30,10 @@ struct stress : symmetric_field {
 struct density : scalar_field {
     static constexpr std::string_view name = "density";
 };
+/// Internal energy of a particle per mass (J/kg).
+struct internal_energy : scalar_field {
+    static constexpr std::string_view name = "internal_energy";
+};
 /// Sum of a particle's strain increments. Kept current where somebody asks for it.
 struct strain : symmetric_field {
     static constexpr std::string_view name = "strain";

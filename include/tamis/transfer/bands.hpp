@@ -26,8 +26,9 @@ template <int N> struct bands_to_nodes {
         constexpr int first = decltype(a)::value;
         for (const auto& [i, w, dw] : near) {
             const auto part = w * p[symbols::m];
-            unroll<N - first>([&](auto j)
-                                  TAMIS_INLINE_LAMBDA { i[field::mass_band<N>{}][j] += part * weights[first + j]; });
+            // Clang 14 captures no structured binding.
+            auto& band = i[field::mass_band<N>{}];
+            unroll<N - first>([&](auto j) TAMIS_INLINE_LAMBDA { band[j] += part * weights[first + j]; });
         }
     }
 };
