@@ -21,7 +21,7 @@ namespace detail {
 
 /// S_pi M_p S_pj onto the bands: `weights` are a particle's at its N nodes, i the a-th of them.
 template <int N> struct bands_to_nodes {
-    using list = fields<field::mass_band<N>>;
+    static constexpr bool by_place = true;
     TAMIS_INLINE void operator()(auto p, auto near, const auto& weights, auto a) const {
         constexpr int first = decltype(a)::value;
         for (const auto& [i, w, dw] : near) {

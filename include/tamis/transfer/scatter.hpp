@@ -2,8 +2,6 @@
 #include <tamis/transfer/near.hpp>
 #include <tamis/particles/tile.hpp>
 
-#include <concepts>
-
 namespace tamis::detail {
 
 /// Adds a row of sums to the node columns. Unaligned adds at x, x + 1, x + 2 would each wait for the store before to
@@ -51,7 +49,7 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
             const one_node<S, sums_type, ToNodes> near{{{sums[a]}, st.weight(a, across), st.slope(a, across)}};
             const slot_row<S, Slot, Shown> p{from, at};
-            if constexpr (std::invocable<Kernel&, decltype(p), decltype(near), decltype(made), decltype(a)>)
+            if constexpr (requires { requires Kernel::by_place; })
                 kernel(p, near, made, a);
             else
                 kernel(p, near, made);
