@@ -221,5 +221,8 @@ TEST_CASE("bad numbers are answered with a sentence") {
     for (auto p : a) p[symbols::V] = infinite;
     CHECK(has(message_of([&] { mpm.step(bodies(a), 0.01); }), "its volume is inf; give a positive, finite"));
     CHECK(has(message_of([&] { mpm.make_body(soft, everywhere, per_cell{1 << 30}); }), "give fewer"));
-    CHECK(has(message_of([] { solver huge{uniform_grid{{0., 0., 0.}, {1., 1., 1.}, 1e-5}}; }), "more than can be numbered; take fewer cells"));
+    CHECK(has(message_of([] {
+                  solver huge{uniform_grid{{0., 0., 0.}, {1., 1., 1.}, 1e-5}};
+              }),
+              "more than can be numbered; take fewer cells"));
 }
