@@ -1,4 +1,4 @@
-#include "support/tube.hpp"
+#include "tube.hpp"
 
 #include "catch.hpp"
 

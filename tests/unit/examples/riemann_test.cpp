@@ -1,4 +1,4 @@
-#include "support/riemann.hpp"
+#include "riemann.hpp"
 
 #include <cmath>
 
