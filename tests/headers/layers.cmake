@@ -15,6 +15,7 @@ set(layer_particles 2)
 set(layer_transfer 3)
 set(layer_solver 4)
 set(layer_observe 5)
+set(layer_stability 5)
 # A header beside the folders, such as tamis.hpp, collects them all.
 set(layer_ 6)
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -46,22 +47,25 @@ template <class T> struct aligned_allocator {
 };
 
 /// Numbers that start as zero and, where there are many, take memory only where they are written: a page at a time.
-/// Throws std::bad_alloc if there is no such range of addresses.
+/// Numbers that are more than their bytes take it at once. Throws std::bad_alloc if there is no such range of
+/// addresses.
 template <class T> class zeros {
-    static_assert(std::is_trivially_copyable_v<T>);
-
   public:
     zeros() = default;
     explicit zeros(std::size_t count) : size_(count), data_(allocate(count)) {}
     zeros(const zeros& from) : zeros(from.size_) {
-        // A page of zeros is not written, so that it takes no memory here either.
-        constexpr std::size_t page = 4096 / sizeof(T);
-        for (std::size_t k = 0; k < size_; k += page) {
-            const std::size_t n = std::min(page, size_ - k);
-            const T* const first = from.data_ + k;
-            if (std::any_of(first, first + n, [](const T& a) { return a != T(0); }))
-                std::memcpy(data_ + k, first, n * sizeof(T));
-        }
+        if constexpr (std::is_trivially_copyable_v<T>) {
+            // A page of zeros is not written, so that it takes no memory here either.
+            constexpr std::size_t page = 4096;
+            const auto* const bytes = reinterpret_cast<const unsigned char*>(from.data_);
+            auto* const to = reinterpret_cast<unsigned char*>(data_);
+            for (std::size_t k = 0; k < size_ * sizeof(T); k += page) {
+                const std::size_t n = std::min(page, size_ * sizeof(T) - k);
+                if (std::any_of(bytes + k, bytes + k + n, [](unsigned char a) { return a != 0; }))
+                    std::memcpy(to + k, bytes + k, n);
+            }
+        } else
+            std::copy_n(from.data_, size_, data_);
     }
     zeros(zeros&& from) noexcept { swap(from); }
     zeros& operator=(zeros from) noexcept {
@@ -86,7 +90,7 @@ template <class T> class zeros {
     }
     static bool is_mapped([[maybe_unused]] std::size_t count) {
 #if defined(MAP_ANONYMOUS)
-        return count > (std::size_t(1) << 20) / sizeof(T);
+        return std::is_trivially_copyable_v<T> && count > (std::size_t(1) << 20) / sizeof(T);
 #else
         return false;
 #endif
@@ -106,7 +110,7 @@ template <class T> class zeros {
         }
 #endif
         T* const found = aligned_allocator<T>().allocate(count);
-        std::fill_n(found, count, T(0));
+        std::uninitialized_fill_n(found, count, T(0));
         return found;
     }
     void release() noexcept {
@@ -117,6 +121,7 @@ template <class T> class zeros {
             return;
         }
 #endif
+        std::destroy_n(data_, size_);
         aligned_allocator<T>().deallocate(data_, size_);
     }
 };
