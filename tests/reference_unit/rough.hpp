@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-#include "../../reference/dense.hpp"
+#include "../reference/dense.hpp"
 
 namespace rough {
 

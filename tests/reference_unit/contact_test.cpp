@@ -1,7 +1,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../../reference/contact.hpp"
+#include "../reference/contact.hpp"
 #include "catch.hpp"
 #include "rough.hpp"
 
