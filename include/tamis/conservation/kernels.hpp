@@ -2,6 +2,7 @@
 #include <tamis/conservation/law.hpp>
 #include <tamis/core/names.hpp>
 #include <tamis/transfer/gather.hpp>
+#include <tamis/transfer/mass.hpp>
 
 namespace tamis {
 
@@ -40,6 +41,9 @@ template <int Count> struct rate : detail::column_field<Count> { static constexp
 
 namespace detail {
 
+template <class Mass> inline constexpr bool is_full_mass = false;
+template <int K> inline constexpr bool is_full_mass<full_mass<K>> = true;
+
 /// F(u) of nodes; 0 where there is no mass, whatever the law makes of zeros.
 template <class S, class Law> struct flux_of_nodes {
     static constexpr int count = Law::unknowns;
@@ -62,7 +66,10 @@ template <class S, class Law> struct flux_of_nodes {
 template <class S, class Law> struct flux_to_nodes {
     static constexpr int count = Law::unknowns;
     using T = typename S::scalar;
-    using flow = Eigen::Matrix<T, count, S::dim, S::align>;
+    /// V F(u_p), along each axis.
+    struct flow {
+        conservation::state<count, T> along[S::dim];
+    };
     const Law& law;
     T half_dt;
 
@@ -76,12 +83,15 @@ template <class S, class Law> struct flux_to_nodes {
         for (int d = 0; d < S::dim; ++d) {
             const conservation::state<count, T> along = law.flux(u, d);
             // Lanes without a particle: by select, for 0 times NaN is NaN.
-            for (int c = 0; c < count; ++c) F(c, d) = select(V > zero, V * along[c], zero);
+            for (int c = 0; c < count; ++c) F.along[d][c] = select(V > zero, V * along[c], zero);
         }
         return F;
     }
     TAMIS_INLINE void operator()(auto, auto near, const flow& F) const {
-        for (const auto& [i, w, dw] : near) i[field::rate<count>{}] += F * typename S::vector(dw);
+        for (const auto& [i, w, dw] : near) {
+            const typename S::vector slope = dw;
+            for (int d = 0; d < S::dim; ++d) i[field::rate<count>{}] += slope[d] * F.along[d];
+        }
     }
 };
 

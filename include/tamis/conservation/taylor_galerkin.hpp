@@ -31,6 +31,10 @@ namespace tamis {
 template <class Grid, ConservationLaw Law, ShapeFunction Shape = linear, class Mass = lumped_mass,
           class Ends = conservation::ends<>, ExecutionPolicy Execution = serial, class Lanes = native_lanes>
 class taylor_galerkin {
+    static_assert(
+        std::same_as<Mass, lumped_mass> || detail::is_full_mass<Mass>,
+        "tamis: the mass matrix of taylor_galerkin is lumped_mass{}, full_mass<k>{} or full_mass<dynamic>{k}");
+
   public:
     using real = typename Grid::real;
     using S = space<Grid::dim, typename Lanes::template type<real>>;
@@ -258,16 +262,6 @@ class taylor_galerkin {
     void activate_nodes() {
         detail::block_marks on(lattice_.size(), S::width);
         detail::mark_reached(particles_.store().tiles, lattice_, on);
-        const auto mark = [&](std::size_t place) {
-            const std::size_t block = place / on.width;
-            if (!std::exchange(on.reached[block], char(1))) on.blocks.push_back(static_cast<std::uint32_t>(block));
-        };
-        for (int axis = 0; axis < dim; ++axis)
-            if (grid().wraps(axis))
-                detail::each_image(lattice_, axis, [&](std::size_t place, std::size_t image) {
-                    mark(place);
-                    mark(image);
-                });
         sweeps_.nodes().set_active(detail::marked(on));
     }
     void weigh_nodes() {

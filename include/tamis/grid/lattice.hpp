@@ -134,6 +134,15 @@ template <class S, class Shape> class lattice {
         }
         return true;
     }
+    /// Along a periodic axis: the cell where a place is that may have left the box. False where that is none.
+    bool bring_back(int d, int& cell, const real& local) const {
+        if (!grid_.wraps(d) || !(local >= real(0) && local <= real(1))) return false;
+        const int n = grid_.cells(d);
+        cell = (cell % n + n) % n;
+        // Cells centred on nodes: the one at the walls has a half at each.
+        if (cell == 0 && local < real(Shape::shift)) cell = n;
+        return true;
+    }
     /// How far a place in a cell may go towards the walls: a cell centred on the wall's node has only its inner half.
     bool inside(const cell_index& cell, const point<D, real>& local) const {
         for (int d = 0; d < D; ++d) {

@@ -41,4 +41,22 @@ void wrap(const lattice<S, Shape>& lattice, const Nodes& nodes, fields<F...>) {
     }
 }
 
+/// Is an axis of the grid periodic?
+template <class S, class Shape> bool any_axis_wraps(const lattice<S, Shape>& lattice) {
+    bool any = false;
+    for (int axis = 0; axis < S::dim; ++axis) any = any || lattice.grid().wraps(axis);
+    return any;
+}
+/// Where one of a node's two places is in use, both are: `reached(place)` tells, `reach(place)` makes it so.
+template <class S, class Shape, class Reached, class Reach>
+void reach_images(const lattice<S, Shape>& lattice, const Reached& reached, const Reach& reach) {
+    for (int axis = 0; axis < S::dim; ++axis)
+        if (lattice.grid().wraps(axis))
+            each_image(lattice, axis, [&](std::size_t place, std::size_t image) {
+                if (!reached(place) && !reached(image)) return;
+                reach(place);
+                reach(image);
+            });
+}
+
 }  // namespace tamis::detail
