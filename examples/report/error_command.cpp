@@ -19,7 +19,7 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Ctrl-C lets the run at hand end; a second one ends the program at once.
+/// Ctrl-C lets the run at hand and its repeats end; a second one ends the program at once.
 class interrupts {
   public:
     interrupts() {
@@ -80,10 +80,10 @@ int report_errors(const error_options& o) {
             "gnuplot-nox)");
     const std::filesystem::path folder = o.out, page_file = folder / "error.html";
     const auto facts = provenance(command_of(o));
+    const interrupts listening;
     // Times of another processor or compiler must not be mixed with these.
     results_file results(folder / "errors.csv", facts.at(2).at(1) + ", " + facts.at(3).at(1), o.resume);
 
-    const interrupts listening;
     const bool terminal = isatty(STDERR_FILENO) != 0;
     double told = 0;
     const auto tell = [&](std::size_t done, std::size_t all, double left, const configuration& what) {
@@ -112,12 +112,11 @@ measurement measure(const report_scene& scene, const configuration& what) {
     std::vector<double> seconds;
     double total = 0;
     try {
-        // Three times at least, and short runs until they add up to something that a clock can tell.
-        while (seconds.size() < 3 || (total < 0.02 && seconds.size() < 9)) {
+        // Three times, runs of seconds twice, and short ones until they add up to something that a clock can tell.
+        while (seconds.size() < 2 || (seconds.size() < 3 && total < 2) || (total < 0.02 && seconds.size() < 9)) {
             all.found = scene.run(what);
             seconds.push_back(all.found.seconds);
             total += all.found.seconds;
-            if (interrupted) break;
         }
     } catch (const std::exception& e) {
         all.failure = e.what();
@@ -154,7 +153,6 @@ bool run_all(const std::vector<report_scene>& scenes, bool full, results_file& r
         if (stop) break;
         tell(done, all, work_done > 0 ? (now() - begun) / work_done * work_left : -1, *next.what);
         const measurement run = measure(*next.scene, *next.what);
-        if (stop && run.repeats < 3 && run.has_answer()) break;
         results.add(run);
         const double work = work_of(*next.scene, *next.what);
         work_left -= work;

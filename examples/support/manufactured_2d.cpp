@@ -6,16 +6,12 @@ const std::vector<manufactured::compiled>& manufactured::compiled_2d() {
     static const std::vector<compiled> all{
         {{"linear", "flip", "euler"}, run<2, linear, flip, euler>},
         {{"linear", "flip", "usl-"}, run<2, linear, flip, usl_minus>},
-        {{"ugimp", "flip", "usl-"}, run<2, ugimp, flip, usl_minus>},
         {{"cpgimp", "flip", "usl-"}, run<2, cpgimp, flip, usl_minus>},
         {{"cpgimp", "fmpm", "usl-"}, run<2, cpgimp, fmpm<dynamic>, usl_minus>},
         {{"quadratic", "flip", "usl-"}, run<2, quadratic_spline, flip, usl_minus>},
-        {{"quadratic", "flip", "usavg-"}, run<2, quadratic_spline, flip, usavg_minus>},
         {{"quadratic", "xpic", "usl-"}, run<2, quadratic_spline, xpic<dynamic>, usl_minus>},
         {{"quadratic", "fmpm", "usl-"}, run<2, quadratic_spline, fmpm<dynamic>, usl_minus>},
-        {{"quadratic", "fmpm", "usavg-"}, run<2, quadratic_spline, fmpm<dynamic>, usavg_minus>},
         {{"cubic", "flip", "usl-"}, run<2, cubic_spline, flip, usl_minus>},
-        {{"cubic", "fmpm", "usl-"}, run<2, cubic_spline, fmpm<dynamic>, usl_minus>},
     };
     return all;
 }
