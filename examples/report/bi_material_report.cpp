@@ -8,15 +8,15 @@ namespace {
 
 outcome run_one(const configuration& what) {
     bi_material_options o;
-    o.young = o.density = 10;
-    o.amplitude = 1e-6;
-    o.cells = what.cells;
-    o.per_cell = what.per_cell;
+    o.set.young = o.set.density = 10;
+    o.set.amplitude = 1e-6;
+    o.set.cells = what.cells;
+    o.set.per_cell = what.per_cell;
     o.shape = what.shape;
     o.update = what.update;
     o.order = what.order > 0 ? what.order : 1;
     o.particles = what.particles;
-    o.courant = what.courant;
+    o.set.courant = what.courant;
     const bi_material_result r = run_bi_material(o);
     outcome found;
     found.error_velocity = r.velocity_l2;
@@ -25,7 +25,7 @@ outcome run_one(const configuration& what) {
     found.energy_error = r.energy_gain;
     found.seconds = r.wall_seconds;
     found.steps = r.steps;
-    found.particle_count = r.particles;
+    found.particle_count = r.particle_count;
     return found;
 }
 
