@@ -66,6 +66,11 @@ template <class Solver, class... Body> struct passes {
             loads = &none;
         const to_nodes<S, typename C::shape, load, mass, Momentum, Force> kernel{*loads, mpm.time_};
         each_body([&](auto& b, auto& sweeps) { sweeps.template scatter<fields<const field::mass>, list>(b, kernel); });
+        wrap(list{});
+    }
+    /// Sums of particles at the two places of a node at a periodic wall are one.
+    template <class... F> void wrap(fields<F...> list) {
+        mpm.each_field([&](auto& field) { detail::wrap(mpm.lattice_, field.sweeps.nodes(), list); });
     }
     /// The momentum of the step's start.
     void start(double t) {
@@ -137,13 +142,15 @@ template <class Solver, class... Body> struct passes {
     /// SdV = S^T M S dv.
     void spread_increment() {
         if constexpr (C::bands)
-            if (!C::moves || mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>)
+            if ((!C::moves ||
+                 mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>)&&!any_axis_wraps(mpm.lattice_))
                 return multiply_increment();
         set_zero<field::image>();
         each_body([](auto& b, auto& sweeps) {
             sweeps.template scatter_gathered<fields<const field::mass>, fields<field::increment>, fields<field::image>>(
                 b, spread{});
         });
+        wrap(fields<field::image>{});
     }
     template <class Sum> void hold_increment(bool felt) {
         if constexpr (C::own_velocities)
@@ -216,6 +223,7 @@ template <class Solver, class... Body> struct passes {
         std::vector<real> sum(mpm.lattice_.size(), real(0));
         set_zero<field::increment>();
         column[at] = table.template column<field::inverse_mass>()[at];
+        wrap(fields<field::increment>{});
         mpm.transfer_.mass.each_term(*this, [&] {
             for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += column[k];
         });

@@ -120,16 +120,23 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         });
     }
 
-    /// As `scatter` with made = S F for all node fields F of `Read`.
-    template <class Shown, class Read, class ToNodes, class Body, class Kernel>
+    /// As `scatter` with made = S F for all node fields F of `Read`, or what kernel.make(slot, gathered) makes of that
+    /// and of the gradient of a node field.
+    template <class Shown, class Read, class ToNodes, class Gradient = no_field, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
         each_tile_by_colour(store, [&](const tile& t) {
             const weigh_type weigh(functions_, lattice_, t);
-            const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
-                gathered<S, Read> g;
-                gather<no_field>(lattice_, nodes_, st, t.node, g);
-                return g;
+            const auto make = [&](const auto& slot, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
+                if constexpr (std::same_as<Gradient, no_field>) {
+                    gathered<S, Read> g;
+                    gather<no_field>(lattice_, nodes_, st, t.node, g);
+                    return g;
+                } else {
+                    gathered<S, Read, Gradient::template components<S>> g;
+                    gather<Gradient>(lattice_, nodes_, st, t.node, g);
+                    return kernel.make(slot, g);
+                }
             };
             scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
                                          kernel);
