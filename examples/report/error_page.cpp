@@ -60,7 +60,8 @@ std::vector<std::string> row_of(const measurement& run) {
 }
 
 page::table_of best_table(const std::vector<measurement>& runs) {
-    page::table_of best{{"error at most"}, {}, "The fastest run for a given error, and ADMPM's own way beside it.", 3};
+    page::table_of best;
+    best.caption = "The fastest run for a given error, and ADMPM's own way beside it.";
     best.columns = {"error at most", "fastest composition", "cells",        "error",
                     "run time",      "ADMPM's way",         "times as long"};
     best.numbers_from = 2;
@@ -133,8 +134,8 @@ page::table_of overview(const std::vector<report_scene>& scenes, const std::vect
                 continue;
             }
             const configuration& what = here[*k].what;
-            row.push_back(what.shape + " " + update_title(what) + ", " + what.particles + ", " +
-                          std::to_string(what.cells) + " cells: " + time(here[*k].found.seconds));
+            row.push_back(time(here[*k].found.seconds) + ": " + what.shape + " " + update_title(what) + ", " +
+                          std::to_string(what.cells) + " cells, " + what.particles);
         }
         table.rows.push_back(row);
     }

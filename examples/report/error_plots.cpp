@@ -22,6 +22,8 @@ struct group {
 };
 group group_of(const configuration& what) {
     if (is_admpm(what)) return {"ADMPM's way", "#000000"};
+    if (what.update == "galerkin" && what.order == 0) return {"lumped mass", "#0072b2"};
+    if (what.update == "galerkin") return {"full mass(k)", "#d55e00"};
     if (what.update == "flip") return {"FLIP", "#0072b2"};
     if (what.update == "fmpm") return {"FMPM(k)", "#d55e00"};
     if (what.update == "xpic") return {"XPIC(k)", "#009e73"};

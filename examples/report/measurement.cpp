@@ -22,15 +22,17 @@ std::string configuration::family() const {
 }
 
 std::string update_title(const configuration& what) {
-    if (what.update.find(' ') != std::string::npos) return what.update;
-    return upper(what.update) + (what.order > 0 ? "(" + std::to_string(what.order) + ")" : "");
+    const std::string k = what.order > 0 ? "(" + std::to_string(what.order) + ")" : "";
+    if (what.update == "galerkin") return what.order > 0 ? "full mass" + k : "lumped mass";
+    return upper(what.update) + k;
 }
 
 std::string configuration::composition() const {
     std::ostringstream all;
-    all << shape << ", " << update_title(*this) << ", " << upper(stress);
+    all << shape << ", " << update_title(*this);
+    if (update != "galerkin") all << ", " << upper(stress) << ", " << particles;
     if (boundary != "incremental") all << ", conditions " << boundary;
-    all << ", " << particles << ", " << per_cell << " per cell, Courant " << courant;
+    all << ", " << per_cell << " per cell, Courant " << courant;
     return all.str();
 }
 

@@ -39,6 +39,10 @@ void add(std::vector<configuration>& to, const std::string& scene, const sweep& 
 /// Each in a file of its own.
 std::vector<report_scene> bar_report_scenes();
 report_scene bi_material_report_scene();
+report_scene gas_wave_report_scene();
+report_scene shock_tube_report_scene();
+/// Of a "sine" or a "step".
+report_scene advection_report_scene(const std::string& profile);
 report_scene manufactured_report_scene(int dim);
 /// All of them, in the report's order.
 std::vector<report_scene> report_scenes();
