@@ -17,7 +17,14 @@ std::string number(const char* format, double value) {
     std::snprintf(text, sizeof text, format, value);
     return text;
 }
-std::string scientific(double value) { return number("%.1e", value); }
+/// 1.5e-3, without the zero that printf puts before a short exponent.
+std::string short_exponent(std::string text) {
+    const std::size_t e = text.find('e');
+    if (e != std::string::npos && e + 2 < text.size() && text[e + 2] == '0') text.erase(e + 2, 1);
+    return text;
+}
+std::string scientific(double value) { return short_exponent(number("%.1e", value)); }
+std::string with_sign(double value) { return short_exponent(number("%+.1e", value)); }
 /// Seconds with a unit that makes them easy to read.
 std::string time(double seconds) {
     if (!std::isfinite(seconds)) return "-";
@@ -25,7 +32,7 @@ std::string time(double seconds) {
     if (seconds < 1) return number("%.3g ms", 1e3 * seconds);
     return number("%.3g s", seconds);
 }
-std::string target_title(double target) { return number("%.0e", target); }
+std::string target_title(double target) { return short_exponent(number("%.0e", target)); }
 
 std::vector<measurement> of_scene(const std::vector<measurement>& runs, const std::string& name) {
     std::vector<measurement> all;
@@ -56,7 +63,7 @@ std::vector<std::string> row_of(const measurement& run) {
             number("%.0f %%", 100 * run.spread()),
             std::to_string(run.found.steps),
             number("%.2f", run.ns_per_particle_step()),
-            number("%+.1e", run.found.energy_error)};
+            with_sign(run.found.energy_error)};
 }
 
 page::table_of best_table(const std::vector<measurement>& runs) {
@@ -111,7 +118,7 @@ page::table_of orders_table(const report_scene& scene, const std::vector<measure
         table.rows.push_back({finest->what.composition(), order ? number("%.2f", *order) : "-",
                               std::to_string(finest->what.cells), scientific(finest->found.error),
                               scientific(finest->found.error_velocity), scientific(finest->found.error_other),
-                              number("%+.1e", finest->found.energy_error), time(finest->found.seconds),
+                              with_sign(finest->found.energy_error), time(finest->found.seconds),
                               number("%.2f", finest->ns_per_particle_step())});
     }
     return table;
