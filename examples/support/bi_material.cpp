@@ -7,8 +7,7 @@
 
 namespace {
 
-template <class Shape, class Scheme>
-two_bars_result with_motion(const bi_material_options& o, const Scheme& scheme) {
+template <class Shape, class Scheme> two_bars_result with_motion(const bi_material_options& o, const Scheme& scheme) {
     if (o.particles == "held") return run_two_bars(o.set, Shape{}, scheme, tamis::usl_minus{}, tamis::held{});
     return run_two_bars(o.set, Shape{}, scheme, tamis::usl_minus{}, tamis::moving{});
 }
@@ -25,8 +24,8 @@ bi_material_result run_bi_material(const bi_material_options& o) {
     require_name("particles", o.particles, {"moving", "held"});
     if (!(o.set.speed() > 0.2 && o.set.speed() < 1.6))
         throw tamis::error("the right bar's wave speed is " + std::to_string(o.set.speed()) +
-                                 " times the left one's, and its pulse would be cut by the end or by the cells; give "
-                                 "ratios of modulus and density whose quotient is from 0.04 to 2.5");
+                           " times the left one's, and its pulse would be cut by the end or by the cells; give "
+                           "ratios of modulus and density whose quotient is from 0.04 to 2.5");
     return o.shape == "linear" ? with_update<tamis::linear>(o) : with_update<tamis::quadratic_spline>(o);
 }
 

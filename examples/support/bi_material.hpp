@@ -13,7 +13,8 @@ struct bi_material_options {
 using bi_material_result = two_bars_result;
 
 /// Runs the composition that the options name. Throws `std::runtime_error` for a name that is not known, and for bars
-/// whose wave speeds are so unlike that a pulse would be cut by an end or by the cells; `tamis::error` if the run fails.
+/// whose wave speeds are so unlike that a pulse would be cut by an end or by the cells; `tamis::error` if the run
+/// fails.
 bi_material_result run_bi_material(const bi_material_options& options);
 /// The JSON of all numbers.
 std::string summary_of(const bi_material_options& options, const bi_material_result& result);

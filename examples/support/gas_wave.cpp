@@ -72,8 +72,10 @@ gas_wave_result run_gas_wave(const gas_wave_options& o) {
     }
     if (o.rate == "admpm" && o.particles == "moving") {
         require_name("update with the rate admpm", o.update, {"pic", "flip", "blend"});
-        if (linear) require_name("stress with the rate admpm", o.stress, {"usl-", "euler"});
-        else require_name("stress with the rate admpm (quadratic)", o.stress, {"usl-"});
+        if (linear)
+            require_name("stress with the rate admpm", o.stress, {"usl-", "euler"});
+        else
+            require_name("stress with the rate admpm (quadratic)", o.stress, {"usl-"});
     }
     if (o.times.empty() || !(o.times.front() > 0) ||
         std::adjacent_find(o.times.begin(), o.times.end(), std::greater_equal<>()) != o.times.end())

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-/// What can be chosen of the driven gas: a tube, 0 <= x <= 1 m, its left end fixed, its right end at speed v0 sin(10 t).
-/// rho0 = p0 = 1; c^2 = gamma.
+/// What can be chosen of the driven gas: a tube, 0 <= x <= 1 m, its left end fixed, its right end at speed v0 sin(10
+/// t). rho0 = p0 = 1; c^2 = gamma.
 struct gas_wave_options {
     int cells = 75, per_cell = 2;
     std::string shape = "linear", update = "flip", stress = "usl-", particles = "moving";
@@ -53,9 +53,9 @@ struct gas_wave_exact {
     /// Linear acoustics, with all images.
     double velocity(double x, double t) const;
     double pressure(double x, double t) const;
-    /// For any amplitude, before the wave comes to the fixed end or steepens to a shock: a simple wave. The speed is given
-    /// at the fixed place x = 1, as it is on the grid. Along a line of speed (gamma + 1)/2 u - c0 the velocity u is the
-    /// same (Riemann's invariant u + 2 (c - c0)/(gamma - 1) = 0).
+    /// For any amplitude, before the wave comes to the fixed end or steepens to a shock: a simple wave. The speed is
+    /// given at the fixed place x = 1, as it is on the grid. Along a line of speed (gamma + 1)/2 u - c0 the velocity u
+    /// is the same (Riemann's invariant u + 2 (c - c0)/(gamma - 1) = 0).
     double finite_velocity(double x, double t) const;
 };
 

@@ -11,9 +11,9 @@ namespace tamis {
 ///
 ///     p = (K/n) ((rho/rho0)^n - 1),    tau = -p V/V0 = -p rho0/rho
 ///
-/// `bulk` is K (Pa), the bulk modulus at rho0; `exponent` is n (water: 7). rho0 is a particle's mass over its volume V0.
-/// `density` (kg/m^Dim) is that of the particles `make_body` makes. Stores the density. Pressure can be negative: the
-/// fluid does not tear.
+/// `bulk` is K (Pa), the bulk modulus at rho0; `exponent` is n (water: 7). rho0 is a particle's mass over its volume
+/// V0. `density` (kg/m^Dim) is that of the particles `make_body` makes. Stores the density. Pressure can be negative:
+/// the fluid does not tear.
 struct tait {
     double bulk, exponent = 7, density;
     using on_particles = fields<const field::density, const field::mass, const field::volume>;

@@ -115,5 +115,6 @@ TEST_CASE("fluids: what makes no sense gets a sentence") {
     CHECK(names(made(tait{.bulk = 0, .density = 1}), "tait", "bulk modulus is 0", "positive"));
     CHECK(names(made(tait{.bulk = 1, .exponent = -1, .density = 1}), "tait", "exponent is -1", "positive"));
     CHECK(names(made(newtonian_fluid{{.bulk = 1, .density = 1}, -1}), "newtonian", "-1 and 0", "positive"));
-    CHECK(names(made(newtonian_fluid{{.bulk = 1, .density = 1}, 1, 0, 2}), "newtonian", "density is 2", "leave it out"));
+    CHECK(
+        names(made(newtonian_fluid{{.bulk = 1, .density = 1}, 1, 0, 2}), "newtonian", "density is 2", "leave it out"));
 }

@@ -86,4 +86,11 @@ TEST_CASE("pressure gas: what makes no sense gets a sentence") {
     auto body = mpm.make_body(pressure_gas{1, 1, 1}, everywhere, per_cell{2});
     for (auto p : body) p[field::pressure{}] = -1;
     CHECK(names(complaint([&] { mpm.step(bodies(body), 1e-3); }), "particle 0", "pressure is -1", "positive"));
+
+    // A step that empties a fixed point, p' = p (1 - 1.4): `integrate` asks the law.
+    const auto swelling = prescribed{everywhere, [](const auto& at, auto) { return at.eval(); }};
+    solver still{uniform_grid{{0.}, {1.}, 1.}, linear{}, held{}, swelling};
+    auto point = still.make_body(pressure_gas{1.4, 1, 1}, everywhere, per_cell{1});
+    const auto run = [&] { integrate(still, bodies(point), {0, 1}, fixed_steps{1, 10}); };
+    CHECK(names(complaint(run), "particle 0", "step 1", "pressure is -0.4", "steps short enough"));
 }
