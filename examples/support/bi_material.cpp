@@ -1,9 +1,8 @@
 #include "bi_material.hpp"
 
 #include "require.hpp"
+#include "summary.hpp"
 #include "two_bars_run.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace {
 
@@ -31,20 +30,12 @@ bi_material_result run_bi_material(const bi_material_options& o) {
 
 std::string summary_of(const bi_material_options& o, const bi_material_result& r) {
     const two_bars& set = o.set;
-    nlohmann::ordered_json all;
-    all["scene"] = "bi_material";
-    all["cells"] = set.cells;
-    all["per_cell"] = set.per_cell;
-    all["shape"] = o.shape;
-    all["update"] = o.update;
-    all["order"] = o.update == "fmpm" ? nlohmann::ordered_json(o.order) : nlohmann::ordered_json();
+    auto all = composition_of("bi_material", set.cells, set.per_cell, o);
     all["particles"] = o.particles;
     all["modulus_ratio"] = set.young;
     all["density_ratio"] = set.density;
-    all["particle_count"] = r.particle_count;
-    all["steps"] = r.steps;
+    put_cost(all, r.particle_count, r.steps, r.wall_seconds);
     all["courant"] = set.courant;
-    all["wall_seconds"] = r.wall_seconds;
     all["reflected"] = r.reflected;
     all["reflected_by_theory"] = set.reflected();
     all["transmitted"] = r.transmitted;

@@ -7,8 +7,10 @@
 struct bi_material_options {
     two_bars set;
     std::string shape = "quadratic", update = "flip", particles = "moving";
+    static constexpr const char* stress = "usl-";
     int order = 2;        // terms of FMPM
     std::string summary;  // file of all numbers; empty: none
+    bool has_order() const { return update == "fmpm"; }
 };
 using bi_material_result = two_bars_result;
 

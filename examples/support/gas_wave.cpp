@@ -2,12 +2,11 @@
 
 #include "exact.hpp"
 #include "require.hpp"
+#include "summary.hpp"
 
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
 #include <tamis/solver/motion.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -89,28 +88,16 @@ gas_wave_result run_gas_wave(const gas_wave_options& o) {
 }
 
 std::string summary_of(const gas_wave_options& o, const gas_wave_result& r) {
-    nlohmann::ordered_json all;
-    all["scene"] = "gas_wave";
-    all["cells"] = o.cells;
-    all["per_cell"] = o.per_cell;
-    all["shape"] = o.shape;
-    all["update"] = o.update;
-    all["order"] = o.has_order() ? nlohmann::ordered_json(o.order) : nlohmann::ordered_json();
-    if (o.update == "blend") all["alpha"] = o.alpha;
-    all["stress"] = o.stress;
+    auto all = composition_of("gas_wave", o.cells, o.per_cell, o);
     all["particles"] = o.particles;
     all["rate"] = o.rate;
     all["drive"] = o.drive;
     all["gamma"] = o.gamma;
     all["amplitude"] = o.amplitude;
-    all["particle_count"] = r.particles.size();
-    all["steps"] = r.steps;
+    put_cost(all, r.particles.size(), r.steps, r.wall_seconds);
     all["dt"] = r.dt;
     all["time"] = o.times.back();
     all["courant"] = std::sqrt(o.gamma) * r.dt * o.cells;
-    all["wall_seconds"] = r.wall_seconds;
-    all["ns_per_particle_step"] =
-        r.wall_seconds * 1e9 / (static_cast<double>(r.steps) * static_cast<double>(r.particles.size()));
     auto records = nlohmann::ordered_json::array();
     for (const gas_wave_record& at : r.records) {
         nlohmann::ordered_json one;
