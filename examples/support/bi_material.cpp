@@ -22,9 +22,9 @@ bi_material_result run_bi_material(const bi_material_options& o) {
     require_name("update", o.update, {"flip", "fmpm"});
     require_name("particles", o.particles, {"moving", "held"});
     if (!(o.set.speed() > 0.2 && o.set.speed() < 1.6))
-        throw tamis::error("the right bar's wave speed is " + std::to_string(o.set.speed()) +
-                           " times the left one's, and its pulse would be cut by the end or by the cells; give "
-                           "ratios of modulus and density whose quotient is from 0.04 to 2.5");
+        throw unusable_option("the right bar's wave speed is " + std::to_string(o.set.speed()) +
+                              " times the left one's, and its pulse would be cut by the end or by the cells; give "
+                              "ratios of modulus and density whose quotient is from 0.04 to 2.5");
     return o.shape == "linear" ? with_update<tamis::linear>(o) : with_update<tamis::quadratic_spline>(o);
 }
 

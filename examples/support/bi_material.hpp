@@ -14,7 +14,7 @@ struct bi_material_options {
 };
 using bi_material_result = two_bars_result;
 
-/// Runs the composition that the options name. Throws `std::runtime_error` for a name that is not known, and for bars
+/// Runs the composition that the options name. Throws `unusable_option` for a name that is not known, and for bars
 /// whose wave speeds are so unlike that a pulse would be cut by an end or by the cells; `tamis::error` if the run
 /// fails.
 bi_material_result run_bi_material(const bi_material_options& options);

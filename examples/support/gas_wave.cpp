@@ -78,7 +78,7 @@ gas_wave_result run_gas_wave(const gas_wave_options& o) {
     }
     if (o.times.empty() || !(o.times.front() > 0) ||
         std::adjacent_find(o.times.begin(), o.times.end(), std::greater_equal<>()) != o.times.end())
-        throw tamis::error("times: give one or more, positive and ascending");
+        throw unusable_option("times: give one or more, positive and ascending");
     const bool held = o.particles == "held";
     if (linear)
         return held ? gas_wave::run_with<tamis::linear, tamis::held>(o)

@@ -59,7 +59,7 @@ struct gas_wave_exact {
     double finite_velocity(double x, double t) const;
 };
 
-/// Throws `std::runtime_error` for a name that is not known and `tamis::error` if the run fails.
+/// Throws `unusable_option` for a name that is not known and `tamis::error` if the run fails.
 gas_wave_result run_gas_wave(const gas_wave_options& options);
 /// One line for each thing, and the JSON of all.
 std::string summary_of(const gas_wave_options& options, const gas_wave_result& result);
