@@ -64,7 +64,10 @@ gas_wave_result run_gas_wave(const gas_wave_options& o) {
     const bool linear = o.shape == "linear";
     if (linear) {
         require_name("update", o.update, {"pic", "flip", "blend", "xpic", "fmpm"});
-        require_name("stress", o.stress, {"usf", "usl-", "usl+", "usavg-", "euler"});
+        if (o.has_order())
+            require_name("stress (xpic, fmpm)", o.stress, {"usl-", "usavg-"});
+        else
+            require_name("stress", o.stress, {"usf", "usl-", "usl+", "usavg-", "euler"});
     } else {
         require_name("update (quadratic)", o.update, {"pic", "flip", "blend", "fmpm"});
         require_name("stress (quadratic)", o.stress, {"usl-", "usavg-"});

@@ -62,8 +62,16 @@ void shock_tube_options::pressure_ratio(double ratio) {
 
 shock_tube_result run_shock_tube(const shock_tube_options& o) {
     require_name("shape", o.shape, {"linear", "quadratic", "cubic"});
-    require_name("update", o.update, {"pic", "flip", "blend", "xpic", "fmpm"});
-    require_name("stress", o.stress, {"usf", "usl-", "usl+", "usavg-", "usavg+"});
+    if (o.shape == "linear") {
+        require_name("update (linear)", o.update, {"pic", "flip", "blend", "fmpm"});
+        require_name("stress (linear)", o.stress, {"usl-", "usavg-"});
+    } else {
+        require_name("update", o.update, {"pic", "flip", "blend", "xpic", "fmpm"});
+        if (o.shape == "cubic")
+            require_name("stress (cubic)", o.stress, {"usl-", "usavg-", "usavg+"});
+        else
+            require_name("stress", o.stress, {"usf", "usl-", "usl+", "usavg-", "usavg+"});
+    }
     const auto run = o.shape == "linear"      ? &shock_tube::run_with<tamis::linear>
                      : o.shape == "quadratic" ? &shock_tube::run_with<tamis::quadratic_spline>
                                               : &shock_tube::run_with<tamis::cubic_spline>;

@@ -1,7 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
-#include <tamis/core/lanes.hpp>
 #include <tamis/core/names.hpp>
+#include <tamis/core/power.hpp>
 
 #include <cmath>
 
@@ -77,10 +77,8 @@ template <class Rate> struct pressure_gas_of {
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         using T = typename Tensor::Scalar;
         auto& now = p[field::pressure{}];
-        const T log_J = detail::logarithm(T(constant<T>(1) + L.trace() * dt));
-        now = now * detail::exponential(T(constant<T>(-gamma) * log_J));
-        const T J =
-            detail::exponential(T(constant<T>(-1 / gamma) * detail::logarithm(T(now * constant<T>(1 / pressure)))));
+        now = now * detail::power(T(constant<T>(1) + L.trace() * dt), -gamma);
+        const T J = detail::power(T(now * constant<T>(1 / pressure)), -1 / gamma);
         return Tensor::Identity() * ((constant<T>(ambient) - now) * J);
     }
     /// At a fixed point.

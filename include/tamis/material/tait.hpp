@@ -1,7 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
-#include <tamis/core/lanes.hpp>
 #include <tamis/core/names.hpp>
+#include <tamis/core/power.hpp>
 
 #include <cmath>
 
@@ -41,8 +41,7 @@ struct tait {
     }
     /// Pressure (Pa) at rho/rho0.
     template <class T> T pressure_at(const T& ratio) const {
-        return constant<T>(bulk / exponent) *
-               (detail::exponential(T(constant<T>(exponent) * detail::logarithm(ratio))) - constant<T>(1));
+        return constant<T>(bulk / exponent) * (detail::power(ratio, exponent) - constant<T>(1));
     }
     /// Work that compressed a particle from rho0 (J/m^Dim of reference volume).
     double energy(auto&& p, const auto&) const {
