@@ -16,8 +16,7 @@ struct state {
 };
 template <class Body> std::vector<state> states_of(const Body& gas) {
     std::vector<state> all;
-    for (const auto p : gas)
-        all.push_back({p[x][0], p[v][0], p[m], p[V], p[sigma](0, 0), p[field::internal_energy{}]});
+    for (const auto p : gas) all.push_back({p[x][0], p[v][0], p[m], p[V], p[sigma](0, 0), p[field::internal_energy{}]});
     return all;
 }
 double kinetic_of(const std::vector<state>& all) {
@@ -75,7 +74,8 @@ TEST_CASE("energy of a gas: stress gives the particles what it takes, less what 
 }
 
 TEST_CASE("energy of a fluid: what is left of the budget falls with the step") {
-    // A closed tube rings. Without a pressure at rest, whose quadrature by moving particles makes noise that FLIP damps.
+    // A closed tube rings. Without a pressure at rest, whose quadrature by moving particles makes noise that FLIP
+    // damps.
     const auto off = [](const auto& order, double number) {
         const fixed ends{[](const auto& at) { return at[0] <= 0 || at[0] >= 1; }};
         solver mpm{uniform_grid{{0.}, {1.}, 0.02}, quadratic_spline{}, flip{}, order, ends};
