@@ -40,6 +40,15 @@ class bar_1d {
     }
     std::size_t particles() const { return cells_ * slots_; }
     double velocity(std::size_t p) const { return velocity_[p]; }
+    std::size_t cells() const { return cells_; }
+    std::size_t slots() const { return slots_; }
+    double spacing() const { return 1 / inverse_h_; }
+    double time() const { return t_; }
+    double place(std::size_t p) const { return place_[p]; }
+    double mass(std::size_t p) const { return mass_[p]; }
+    double volume(std::size_t p) const { return volume_[p]; }
+    double stress(std::size_t p) const { return stress_[p]; }
+    double strain(std::size_t p) const { return strain_[p]; }
 
     void step() {
         const std::size_t n = cells_;

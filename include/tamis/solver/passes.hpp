@@ -31,6 +31,9 @@ template <class Solver, class... Body> struct passes {
     std::tuple<Body&...>& all;
     real dt_, inverse_dt = real(1) / dt_;
 
+    /// Are the next step's sums made while the particles are updated?
+    static constexpr bool one_pass = C::sums_ahead && sizeof...(Body) == 1;
+
     T dt() const { return T(dt_); }
     /// f(body, sweeps of its velocity field).
     template <class F> void each_body(F f) {
@@ -54,8 +57,6 @@ template <class Solver, class... Body> struct passes {
     /// Particles to nodes: mass (where it changes) and momentum; force.
     template <bool Momentum, bool Force, bool Mass = C::moves> void extrapolate() {
         constexpr bool mass = Momentum && Mass;
-        using list = typename concatenate<fields_if<mass, field::mass>, fields_if<Momentum, field::momentum>,
-                                          fields_if<Force, field::force>>::type;
         constexpr bool loaded = Force && C::kinds::on_particles;
         using load = std::conditional_t<loaded, typename C::load, unloaded>;
         [[maybe_unused]] static constexpr unloaded none{};
@@ -64,8 +65,10 @@ template <class Solver, class... Body> struct passes {
             loads = &mpm.load_;
         else
             loads = &none;
-        const to_nodes<S, typename C::shape, load, mass, Momentum, Force> kernel{*loads, mpm.time_};
-        each_body([&](auto& b, auto& sweeps) { sweeps.template scatter<fields<const field::mass>, list>(b, kernel); });
+        using kernel = to_nodes<S, typename C::shape, load, typename C::sums, mass, Momentum, Force>;
+        each_body([&](auto& b, auto& sweeps) {
+            sweeps.template scatter<fields<const field::mass>, typename kernel::list>(b, kernel{*loads, mpm.time_});
+        });
     }
     /// The momentum of the step's start.
     void start(double t) {
@@ -102,7 +105,7 @@ template <class Solver, class... Body> struct passes {
     /// f and v (or p) become a and v+.
     template <bool FromMomentum> void accelerate() {
         constexpr bool keep = stores<typename C::node_fields, field::start_velocity>;
-        using kernel = detail::accelerate<T, FromMomentum && C::moves, FromMomentum, keep>;
+        using kernel = detail::accelerate<T, typename C::sums, FromMomentum && C::moves, FromMomentum, keep>;
         nodes(kernel{dt()});
     }
 
@@ -245,9 +248,17 @@ template <class Solver, class... Body> struct passes {
     template <class Gradient, bool Strains, class B, class Sweeps>
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {
         using gathers = typename C::gathers;
-        using kernel =
+        using update_kernel =
             detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains, C::particles_go>;
-        sweeps.template gather_each<gathers, Gradient>(b, kernel{b.law, mpm.transfer_.particle, dt(), strain_dt});
+        const update_kernel kernel{b.law, mpm.transfer_.particle, dt(), strain_dt};
+        if constexpr (one_pass) {
+            static constexpr unloaded none{};
+            using sum_kernel = to_nodes<S, typename C::shape, unloaded, typename C::sums, C::moves, true, true>;
+            mpm.ahead_.made = sweeps.template gather_and_scatter<gathers, Gradient, fields<const field::mass>,
+                                                                 typename sum_kernel::list>(
+                b, kernel, sum_kernel{none, 0}, mpm.ahead_.pays);
+        } else
+            sweeps.template gather_each<gathers, Gradient>(b, kernel);
     }
 
     /// What the conditions add to a full velocity that did not know of them.

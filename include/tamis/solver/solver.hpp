@@ -16,6 +16,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace tamis {
@@ -168,8 +169,12 @@ template <class Grid, class... Policies> class solver {
         const double held_start = order::explicit_euler ? previous_ : time_;
         const double held_end = order::explicit_euler ? time_ : end;
 
-        if constexpr (C::moves) now.template set_zero<field::mass>();
-        now.template set_zero<field::momentum>();
+        using sums = typename C::sums;
+        const bool made = sums_are_made(all);
+        if (!made) {
+            if constexpr (C::moves) now.template set_zero<typename sums::mass>();
+            now.template set_zero<typename sums::momentum>();
+        }
         if constexpr (order::before > 0) {
             now.template extrapolate<true, false>();
             now.start(held_start);
@@ -181,8 +186,10 @@ template <class Grid, class... Policies> class solver {
             now.template constrain_forces<true>(held_end);
             now.template accelerate<false>();
         } else {
-            now.template set_zero<field::force>();
-            now.template extrapolate<true, true>();
+            if (!made) {
+                now.template set_zero<typename sums::force>();
+                now.template extrapolate<true, true>();
+            }
             now.start(held_start);
             if constexpr (C::filters_first) {
                 now.velocity_of_momentum();
@@ -212,8 +219,10 @@ template <class Grid, class... Policies> class solver {
         previous_ = time_;
         time_ = end;
         ++steps_;
+        if constexpr (C::sums_ahead) ahead_.updates = std::get<0>(all).store().updates;
         if constexpr (C::moves) {
-            weights_.renew();
+            if constexpr (C::bands || C::exact) weights_.renew();
+            if (ahead_.made) return;  // nobody left its cell
             std::string failure;
             std::apply([&](auto&... b) { (deliver(b, detail::to_double(dt), failure), ...); }, all);
             if (!failure.empty()) throw error(failure);
@@ -223,7 +232,8 @@ template <class Grid, class... Policies> class solver {
   private:
     using sweeps_type = detail::sweeps<S, typename C::shape, typename C::node_fields, typename C::execution, C::moves>;
     using lattice_type = typename sweeps_type::lattice_type;
-    using held_type = detail::held_nodes<S, typename C::shape, typename C::boundary, typename C::method>;
+    using held_type = detail::held_nodes<S, typename C::shape, typename C::boundary, typename C::method,
+                                         typename C::sums>;
     using contact_type = typename detail::contact_of<S, typename C::shape, typename C::touch>::type;
     /// Nodes with one velocity each: the passes over them, and the conditions that hold them.
     struct velocity_field {
@@ -253,6 +263,13 @@ template <class Grid, class... Policies> class solver {
     detail::stamp weights_;
     std::uint64_t bands_made_for_ = 0;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared
+    /// The next step's sums over the particles (`composition::sums_ahead`): are they there, of which state of the body,
+    /// and is it worth while to make them?
+    struct {
+        bool made = false, pays = false;
+        int pause = 0, next_pause = 1;
+        std::uint64_t updates = 0;
+    } ahead_;
 
     template <detail::role R, class Default> static auto pick(const std::tuple<Policies...>& all) {
         return C::template by_role<R, Default>::of(all);
@@ -291,6 +308,27 @@ template <class Grid, class... Policies> class solver {
             for (const auto& other : further_) f(std::as_const(*other));
     }
 
+    /// Were the step's sums over particles made by the step before, and are they still those of the body?
+    template <class... Body> bool sums_are_made(std::tuple<Body&...>& all) {
+        if constexpr (detail::passes<solver, Body...>::one_pass) {
+            const bool made =
+                std::exchange(ahead_.made, false) && ahead_.updates == std::get<0>(all).store().updates;
+            // Where they were of no use, as after particles went to other cells, some steps go without: ever more
+            // while it happens again and again.
+            if (made)
+                ahead_.next_pause = 1;
+            else if (ahead_.pays) {
+                ahead_.pause = ahead_.next_pause;
+                ahead_.next_pause = std::min(2 * ahead_.next_pause, 64);
+            }
+            ahead_.pays = ahead_.pause == 0;
+            if (!ahead_.pays) --ahead_.pause;
+            return made;
+        } else {
+            ahead_.made = false;
+            return false;
+        }
+    }
     /// What does not change from step to step: which nodes are in use and, for held particles, the nodes' masses.
     template <class... Body> void prepare(std::tuple<Body&...>& all) {
         const auto each = [&](auto f) { std::apply([&](auto&... b) { (f(b), ...); }, all); };
@@ -299,6 +337,7 @@ template <class Grid, class... Policies> class solver {
         each([&](auto& b) { now[k++] = b.contents().number(); });
         each([&](auto& b) { now[k++] = b.store().layout.number(); });
         if (std::equal(now.begin(), now.end(), seen_.begin(), seen_.end())) return;
+        ahead_.made = false;
 
         const bool as_before = seen_.size() == now.size();
         const auto contents_end = now.begin() + static_cast<std::ptrdiff_t>(sizeof...(Body));
