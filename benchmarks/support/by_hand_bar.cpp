@@ -14,7 +14,9 @@ namespace {
 /// The tables of the library's csv_output: the same columns, rows and files, every number with all its digits.
 class tables {
   public:
-    explicit tables(const std::filesystem::path& folder) : folder_(folder) { std::filesystem::create_directories(folder); }
+    explicit tables(const std::filesystem::path& folder) : folder_(folder) {
+        std::filesystem::create_directories(folder);
+    }
     void write(const bar_1d& bar, long step) {
         const std::size_t cells = bar.cells(), slots = bar.slots();
         const double h = bar.spacing();
@@ -22,10 +24,14 @@ class tables {
         text_ = "time,position,density,velocity,stress,strain,mass\n";
         for (std::size_t c = 0; c < cells; ++c)
             for (std::size_t s = 0; s < slots; ++s) {
-                const std::size_t p = s * cells + c;
+                const std::size_t p = bar.number(s, c);
                 const double w = bar.place(p), m = bar.mass(p);
-                const row r{bar.time(), h * (static_cast<double>(c) + w), m / bar.volume(p) / (1 + bar.strain(p)),
-                            bar.velocity(p), bar.stress(p), bar.strain(p)};
+                const row r{bar.time(),
+                            h * (static_cast<double>(c) + w),
+                            m / bar.volume(p) / (1 + bar.strain(p)),
+                            bar.velocity(p),
+                            bar.stress(p),
+                            bar.strain(p)};
                 put(r);
                 text_.back() = ',';
                 put(m, '\n');
@@ -37,8 +43,8 @@ class tables {
         for (std::size_t i = 0; i <= cells; ++i) {
             const double share = 1 / mean_[i].mass;
             const row& sum = mean_[i].sum;
-            put({bar.time(), h * static_cast<double>(i), sum.density * share, sum.velocity * share,
-                 sum.stress * share, sum.strain * share});
+            put({bar.time(), h * static_cast<double>(i), sum.density * share, sum.velocity * share, sum.stress * share,
+                 sum.strain * share});
         }
         save("nodes", step);
     }
@@ -96,8 +102,9 @@ std::vector<double> run_bar(const bar_run& run, const std::filesystem::path& fol
             if (k % run.record_every == 0) to.write(bar, k);
         }
     }
-    std::vector<double> velocities(bar.particles());
-    for (std::size_t p = 0; p < velocities.size(); ++p) velocities[p] = bar.velocity(p);
+    std::vector<double> velocities;
+    for (std::size_t c = 0; c < bar.cells(); ++c)
+        for (std::size_t s = 0; s < bar.slots(); ++s) velocities.push_back(bar.velocity(bar.number(s, c)));
     return velocities;
 }
 

@@ -12,7 +12,7 @@ struct bar_run {
     bool moving;
 };
 /// Does the steps; writes tables of particles and nodes into a folder at the start and after every `record_every` of
-/// them, unless it is empty. Velocities of the particles at the end, slot by slot.
+/// them, unless it is empty. Velocities of the particles at the end, cell by cell.
 std::vector<double> run_bar(const bar_run& run, const std::filesystem::path& folder);
 
 }  // namespace by_hand

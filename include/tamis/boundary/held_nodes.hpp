@@ -31,8 +31,7 @@ namespace detail {
 ///
 /// Conditions at one node are made orthonormal once; values follow by the same triangular map. `Sums`: the columns of
 /// mass, momentum and force.
-template <class S, class Shape, class Boundary, class Method = boundary_method::incremental,
-          class Sums = sums_in_place>
+template <class S, class Shape, class Boundary, class Method = boundary_method::incremental, class Sums = sums_in_place>
 class held_nodes {
   public:
     using real = typename S::real;
@@ -70,7 +69,8 @@ class held_nodes {
             if (!on_momentum(how())) return;
             each([&](entry& e) {
                 if (!(e.mass > real(0))) return;
-                const vector p = nodes.template get<typename Sums::momentum>(e.place) * (HoldsVelocity ? e.mass : real(1));
+                const vector p =
+                    nodes.template get<typename Sums::momentum>(e.place) * (HoldsVelocity ? e.mass : real(1));
                 const vector f = nodes.template get<typename Sums::force>(e.place);
                 vector held = vector::Zero();
                 for (int k = 0; k < D && k < e.directions; ++k) {
@@ -257,7 +257,8 @@ class held_nodes {
     /// What a velocity's held components lack.
     static vector missing(const entry& e, const vector& u) {
         vector change = vector::Zero();
-        for (int k = 0; k < D && k < e.directions; ++k) change += (e.value[at(k)] - e.normal[at(k)].dot(u)) * e.normal[at(k)];
+        for (int k = 0; k < D && k < e.directions; ++k)
+            change += (e.value[at(k)] - e.normal[at(k)].dot(u)) * e.normal[at(k)];
         return change;
     }
     /// Impulses j of all held nodes with [M~_k^-1] j = b - v on held components; leaves j/m in `lumped`.

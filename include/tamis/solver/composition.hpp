@@ -207,7 +207,8 @@ template <class Grid, class... P> struct composition {
     /// Are particles updated and the next step's sums over them made in one pass? Where rows are one, sums are few and
     /// nothing but the particles gives to them.
     static constexpr bool sums_ahead = dim == 1 && S::width > 1 && S::width >= shape::support - 1 && !mass::full &&
-        order::before == 0 && !remaps && !own_velocities && !loaded && !(moves && reads_particles<shape>);
+                                       order::before == 0 && !remaps && !own_velocities && !loaded &&
+                                       !(moves && reads_particles<shape>);
     using sums = std::conditional_t<sums_ahead, detail::sums_ahead<moves>, sums_in_place>;
 
     using node_fields =

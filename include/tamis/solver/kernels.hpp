@@ -26,8 +26,9 @@ template <class S, class Shape, class Load, class Sums, bool Mass, bool Momentum
     static constexpr typename Sums::mass m{};
     static constexpr typename Sums::momentum mv{};
     static constexpr typename Sums::force f{};
-    using list = typename concatenate<fields_if<Mass, typename Sums::mass>, fields_if<Momentum, typename Sums::momentum>,
-                                      fields_if<Force, typename Sums::force>>::type;
+    using list =
+        typename concatenate<fields_if<Mass, typename Sums::mass>, fields_if<Momentum, typename Sums::momentum>,
+                             fields_if<Force, typename Sums::force>>::type;
     using kinds = load_kinds<Load, point<S::dim, typename S::real>>;
     static constexpr bool loaded = Force && kinds::on_particles, on_faces = loaded && kinds::by_face;
     /// What is the same for every node around a particle: M V, V0 tau and what loads give.
@@ -43,7 +44,11 @@ template <class S, class Shape, class Load, class Sums, bool Mass, bool Momentum
         const auto& mass = slot.template get<field::mass>();
         carried of;
         if constexpr (Momentum) of.momentum = slot.template get<field::velocity>() * mass;
-        if constexpr (Force) of.stress = slot.template get<field::stress>() * slot.template get<field::volume>();
+        // By components: a matrix times a scalar keeps copies of the scalar in memory.
+        if constexpr (Force)
+            unroll<symmetric_field::components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
+                of.stress[c] = slot.template get<field::stress>()[c] * slot.template get<field::volume>();
+            });
         if constexpr (loaded) of.load = loading_of<S, Shape>(load, slot, at, time);
         return of;
     }
@@ -113,11 +118,11 @@ template <class T, class Sums, bool MassIsNew, bool FromMomentum, bool Keep> str
         i[a] = i[typename Sums::force{}] * i[im];
         i[v] += dt * i[a];
     }
-    using list = typename concatenate<
-        fields_if<MassIsNew, const typename Sums::mass, field::inverse_mass>,
-        fields_if<!MassIsNew, const field::inverse_mass>, fields_if<FromMomentum, const typename Sums::momentum>,
-        fields_if<Keep, field::start_velocity>,
-        fields<const typename Sums::force, field::acceleration, field::velocity>>::type;
+    using list = typename concatenate<fields_if<MassIsNew, const typename Sums::mass, field::inverse_mass>,
+                                      fields_if<!MassIsNew, const field::inverse_mass>,
+                                      fields_if<FromMomentum, const typename Sums::momentum>,
+                                      fields_if<Keep, field::start_velocity>,
+                                      fields<const typename Sums::force, field::acceleration, field::velocity>>::type;
 };
 
 /// The gathered gradient strains the particles, which then move if they are to.

@@ -54,6 +54,7 @@ template <class Grid, class... Policies> class solver {
         start_ = previous_ = time_ = t;
         steps_ = 0;
         crossings_ = 0;
+        ahead_.used = 0;
         each_field([](auto& field) { field.held.restart(); });
         if constexpr (C::own_velocities) contact_.restart();
         detail::restart_loads(load_);
@@ -111,6 +112,9 @@ template <class Grid, class... Policies> class solver {
         grid().each_node([&](const auto& index) { column.push_back(places[lattice_.node_place(index)]); });
         return column;
     }
+    /// Steps that found their sums over the particles made by the step before, in the pass that updated them. Always 0
+    /// where the composition cannot do so: in 2D and 3D, under loads, with a full mass matrix, ...
+    long steps_in_one_pass() const { return ahead_.used; }
     /// Terms of the full mass matrix's series that the last step took, and the size of the last one; 0 unless the
     /// scheme looks (`adaptive_fmpm`).
     const series_report& series() const { return series_; }
@@ -232,8 +236,8 @@ template <class Grid, class... Policies> class solver {
   private:
     using sweeps_type = detail::sweeps<S, typename C::shape, typename C::node_fields, typename C::execution, C::moves>;
     using lattice_type = typename sweeps_type::lattice_type;
-    using held_type = detail::held_nodes<S, typename C::shape, typename C::boundary, typename C::method,
-                                         typename C::sums>;
+    using held_type =
+        detail::held_nodes<S, typename C::shape, typename C::boundary, typename C::method, typename C::sums>;
     using contact_type = typename detail::contact_of<S, typename C::shape, typename C::touch>::type;
     /// Nodes with one velocity each: the passes over them, and the conditions that hold them.
     struct velocity_field {
@@ -269,6 +273,7 @@ template <class Grid, class... Policies> class solver {
         bool made = false, pays = false;
         int pause = 0, next_pause = 1;
         std::uint64_t updates = 0;
+        long used = 0;
     } ahead_;
 
     template <detail::role R, class Default> static auto pick(const std::tuple<Policies...>& all) {
@@ -311,13 +316,13 @@ template <class Grid, class... Policies> class solver {
     /// Were the step's sums over particles made by the step before, and are they still those of the body?
     template <class... Body> bool sums_are_made(std::tuple<Body&...>& all) {
         if constexpr (detail::passes<solver, Body...>::one_pass) {
-            const bool made =
-                std::exchange(ahead_.made, false) && ahead_.updates == std::get<0>(all).store().updates;
+            const bool made = std::exchange(ahead_.made, false) && ahead_.updates == std::get<0>(all).store().updates;
             // Where they were of no use, as after particles went to other cells, some steps go without: ever more
             // while it happens again and again.
-            if (made)
+            if (made) {
                 ahead_.next_pause = 1;
-            else if (ahead_.pays) {
+                ++ahead_.used;
+            } else if (ahead_.pays) {
                 ahead_.pause = ahead_.next_pause;
                 ahead_.next_pause = std::min(2 * ahead_.next_pause, 64);
             }

@@ -259,11 +259,11 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         }
         return left;
     }
-    /// The tiles of slab k one after the other; true if a particle may have left its cell. All that the loop needs is
+    /// The tiles of slab k one after the other; true if particles left their cells. All that the loop needs is
     /// copied: what is stored might, for all the compiler knows, change anything else.
     template <class Sums, class Gradient, class Shown, class Store, class Kernel, class Give, class Row>
-    TAMIS_FLATTEN bool gather_and_scatter_row(Store& store, std::size_t k, const Kernel& the_kernel, const Give& the_give,
-                                              bool ahead, Row& row_out) {
+    TAMIS_FLATTEN bool gather_and_scatter_row(Store& store, std::size_t k, const Kernel& the_kernel,
+                                              const Give& the_give, bool ahead, Row& row_out) {
         using sums_type = typename Row::sums_type;
         const auto columns = nodes_.columns();
         const lattice_type lattice = lattice_;
@@ -304,10 +304,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             }
             if (ahead) row.add(sums, columns, place);
             if constexpr (Moves)
-                if (!lane<T>::all(stay)) [[unlikely]] {
-                    some_left = true;
-                    post_leavers(store, lattice_, k, j);
-                }
+                if (!lane<T>::all(stay)) [[unlikely]]
+                    some_left = post_leavers(store, lattice_, k, j) || some_left;
         }
         row_out = row;
         return some_left;

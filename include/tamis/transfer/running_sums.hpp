@@ -20,8 +20,7 @@ template <class S, int N, class... F> class running_sums<S, N, fields<F...>> {
     running_sums() { waiting_.set_zero(); }
 
     /// A tile's sums at the a-th node of each cell; its block begins at a place of the nodes' columns.
-    template <class Nodes>
-    TAMIS_INLINE void add(const sums_type (&of_tile)[N], const Nodes& nodes, std::size_t place) {
+    template <class Nodes> TAMIS_INLINE void add(const sums_type (&of_tile)[N], const Nodes& nodes, std::size_t place) {
         if (place != next_) {
             if (next_ != nowhere) write_waiting(nodes);
             waiting_.set_zero();

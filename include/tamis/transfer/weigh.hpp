@@ -48,8 +48,7 @@ template <class S, class Shape, bool Moves> struct tile_weights {
             if (at_wall)
                 unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
                     const T shift = constant<T>(Shape::shift);
-                    stay =
-                        both(stay, both(r[d] >= walls.low[d] * shift, r[d] <= one - walls.high[d] * (one - shift)));
+                    stay = both(stay, both(r[d] >= walls.low[d] * shift, r[d] <= one - walls.high[d] * (one - shift)));
                 });
         return stay;
     }
