@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
+#include <new>
 #include <vector>
 
 /// ADMPM's driven bar written by hand, as the speed to reach in 1D: linear functions, lumped mass, FLIP, forces and
@@ -15,22 +16,34 @@
 
 namespace by_hand {
 
+/// Columns begin on a cache line.
+template <class T> struct on_cache_lines {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+    on_cache_lines() = default;
+    template <class U> on_cache_lines(const on_cache_lines<U>&) {}
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+    template <class U> bool operator==(const on_cache_lines<U>&) const { return true; }
+};
+
 class bar_1d {
   public:
     bar_1d(int nodes, int per_cell, double dt, bool moving)
         : cells_(static_cast<std::size_t>(nodes - 1)),
           slots_(static_cast<std::size_t>(per_cell)),
+          stride_((cells_ + 7) / 8 * 8),
           dt_(dt),
           inverse_h_(static_cast<double>(nodes - 1)),
           moving_(moving) {
-        const std::size_t n = cells_ * slots_;
+        const std::size_t n = stride_ * slots_;
         for (auto* column : {&place_, &velocity_, &mass_, &stress_, &strain_, &volume_}) column->assign(n, 0.0);
         for (auto* column : {&inverse_mass_, &v_, &next_, &left_, &right_, &left_mass_, &right_mass_})
             column->assign(cells_ + 1, 0.0);
         std::vector<double> node_mass(cells_ + 1, 0.0);
         for (std::size_t s = 0; s < slots_; ++s)
             for (std::size_t c = 0; c < cells_; ++c) {
-                const std::size_t p = s * cells_ + c;
+                const std::size_t p = s * stride_ + c;
                 place_[p] = (double(s) + 0.5) / double(slots_);
                 mass_[p] = volume_[p] = 1 / inverse_h_ / double(slots_);
                 node_mass[c] += mass_[p] * (1 - place_[p]);
@@ -40,6 +53,17 @@ class bar_1d {
     }
     std::size_t particles() const { return cells_ * slots_; }
     double velocity(std::size_t p) const { return velocity_[p]; }
+    std::size_t cells() const { return cells_; }
+    std::size_t slots() const { return slots_; }
+    /// Of particle c of slot s.
+    std::size_t number(std::size_t s, std::size_t c) const { return s * stride_ + c; }
+    double spacing() const { return 1 / inverse_h_; }
+    double time() const { return t_; }
+    double place(std::size_t p) const { return place_[p]; }
+    double mass(std::size_t p) const { return mass_[p]; }
+    double volume(std::size_t p) const { return volume_[p]; }
+    double stress(std::size_t p) const { return stress_[p]; }
+    double strain(std::size_t p) const { return strain_[p]; }
 
     void step() {
         const std::size_t n = cells_;
@@ -48,8 +72,8 @@ class bar_1d {
         const double* __restrict inverse = inverse_mass_.data();
         for (std::size_t i = 0; i < n; ++i) l[i] = 0;
         for (std::size_t s = 0; s < slots_; ++s) {
-            double* __restrict sigma = stress_.data() + s * n, * __restrict e = strain_.data() + s * n;
-            const double* __restrict volume = volume_.data() + s * n;
+            double* __restrict sigma = stress_.data() + s * stride_, * __restrict e = strain_.data() + s * stride_;
+            const double* __restrict volume = volume_.data() + s * stride_;
             BY_HAND_VECTORS
             for (std::size_t i = 0; i < n; ++i) {
                 l[i] += volume[i] * sigma[i];
@@ -71,11 +95,11 @@ class bar_1d {
     }
 
   private:
-    std::size_t cells_, slots_;
+    std::size_t cells_, slots_, stride_;
     double dt_, inverse_h_, young_ = 1, t_ = 0;
     bool moving_;
-    std::vector<double> place_, velocity_, mass_, stress_, strain_, volume_;
-    std::vector<double> inverse_mass_, v_, next_, left_, right_, left_mass_, right_mass_;
+    std::vector<double, on_cache_lines<double>> place_, velocity_, mass_, stress_, strain_, volume_;
+    std::vector<double, on_cache_lines<double>> inverse_mass_, v_, next_, left_, right_, left_mass_, right_mass_;
 
     void update_moving() {
         const std::size_t n = cells_;
@@ -86,8 +110,8 @@ class bar_1d {
         const double* __restrict v = v_.data(), * __restrict next = next_.data();
         for (std::size_t i = 0; i < n; ++i) l[i] = r[i] = lm[i] = rm[i] = 0;
         for (std::size_t s = 0; s < slots_; ++s) {
-            double* __restrict w = place_.data() + s * n, * __restrict V = velocity_.data() + s * n;
-            const double* __restrict m = mass_.data() + s * n;
+            double* __restrict w = place_.data() + s * stride_, * __restrict V = velocity_.data() + s * stride_;
+            const double* __restrict m = mass_.data() + s * stride_;
             BY_HAND_VECTORS
             for (std::size_t i = 0; i < n; ++i) {
                 const double after = next[i] + w[i] * (next[i + 1] - next[i]);
@@ -114,8 +138,8 @@ class bar_1d {
         const double* __restrict v = v_.data(), * __restrict next = next_.data();
         for (std::size_t i = 0; i < n; ++i) l[i] = r[i] = 0;
         for (std::size_t s = 0; s < slots_; ++s) {
-            double* __restrict V = velocity_.data() + s * n;
-            const double* __restrict w = place_.data() + s * n, * __restrict m = mass_.data() + s * n;
+            double* __restrict V = velocity_.data() + s * stride_;
+            const double* __restrict w = place_.data() + s * stride_, * __restrict m = mass_.data() + s * stride_;
             BY_HAND_VECTORS
             for (std::size_t i = 0; i < n; ++i) {
                 const double a0 = next[i] - v[i], a1 = next[i + 1] - v[i + 1];

@@ -29,8 +29,10 @@ namespace detail {
 /// components of p/m take their values of t at once, those of p+/m the values of t + dt, and those of every further
 /// increment of the full mass matrix's series are zero.
 ///
-/// Conditions at one node are made orthonormal once; values follow by the same triangular map.
-template <class S, class Shape, class Boundary, class Method = boundary_method::incremental> class held_nodes {
+/// Conditions at one node are made orthonormal once; values follow by the same triangular map. `Sums`: the columns of
+/// mass, momentum and force.
+template <class S, class Shape, class Boundary, class Method = boundary_method::incremental, class Sums = sums_in_place>
+class held_nodes {
   public:
     using real = typename S::real;
     using lattice_type = lattice<S, Shape>;
@@ -50,7 +52,7 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
         if constexpr (any) {
             set_values(t);
             each([&](entry& e) {
-                if (masses_are_new) take_mass(nodes, e);
+                if (masses_are_new) take_mass<typename Sums::mass>(nodes, e);
                 if (on_momentum(how()))
                     e.node.reaction = impose(nodes, e) * (constant<real>(share) * inverse_dt);
                 else
@@ -67,14 +69,15 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
             if (!on_momentum(how())) return;
             each([&](entry& e) {
                 if (!(e.mass > real(0))) return;
-                const vector p = nodes.template get<field::momentum>(e.place) * (HoldsVelocity ? e.mass : real(1));
-                const vector f = nodes.template get<field::force>(e.place);
+                const vector p =
+                    nodes.template get<typename Sums::momentum>(e.place) * (HoldsVelocity ? e.mass : real(1));
+                const vector f = nodes.template get<typename Sums::force>(e.place);
                 vector held = vector::Zero();
-                for (int k = 0; k < e.directions; ++k) {
+                for (int k = 0; k < D && k < e.directions; ++k) {
                     const vector& n = e.normal[at(k)];
                     held += ((e.mass * e.value[at(k)] - n.dot(p)) * inverse_dt - n.dot(f)) * n;
                 }
-                nodes.template put<field::force>(e.place, vector(f + held));
+                nodes.template put<typename Sums::force>(e.place, vector(f + held));
                 e.node.reaction += held;
             });
         }
@@ -94,7 +97,7 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
             each([&](entry& e) {
                 const vector dv = nodes.template get<Increment>(e.place), sum = nodes.template get<Sum>(e.place);
                 vector gone = vector::Zero();
-                for (int k = 0; k < e.directions; ++k) gone += e.normal[at(k)].dot(dv) * e.normal[at(k)];
+                for (int k = 0; k < D && k < e.directions; ++k) gone += e.normal[at(k)].dot(dv) * e.normal[at(k)];
                 nodes.template put<Increment>(e.place, vector(dv - gone));
                 nodes.template put<Sum>(e.place, vector(sum - gone));
                 if (counts) e.node.reaction -= gone * (e.mass * inverse_dt);
@@ -158,7 +161,7 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
 
     /// Masses of held nodes, where they do not change from step to step.
     template <class Nodes> void take_masses(const Nodes& nodes) {
-        if constexpr (any) each([&](entry& e) { take_mass(nodes, e); });
+        if constexpr (any) each([&](entry& e) { take_mass<field::mass>(nodes, e); });
     }
     /// Adds the step's work: reaction times the mean held velocity.
     void finish(const real& dt) {
@@ -238,23 +241,24 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
     template <class F> void each(F f) {
         for (const std::uint32_t k : active_) f(entries_[k]);
     }
-    template <class Nodes> static void take_mass(const Nodes& nodes, entry& e) {
-        e.mass = nodes.template column<field::mass>()[e.place];
+    template <class Mass, class Nodes> static void take_mass(const Nodes& nodes, entry& e) {
+        e.mass = nodes.template column<Mass>()[e.place];
         if (!(e.mass > real(0)) || e.mass < least_mass<real>()) e.mass = real(0);
     }
     /// Held components of the momentum take their values: the change.
     template <class Nodes> static vector impose(const Nodes& nodes, const entry& e) {
-        const vector before = nodes.template get<field::momentum>(e.place);
+        const vector before = nodes.template get<typename Sums::momentum>(e.place);
         vector change = vector::Zero();
-        for (int k = 0; k < e.directions; ++k)
+        for (int k = 0; k < D && k < e.directions; ++k)
             change += (e.mass * e.value[at(k)] - e.normal[at(k)].dot(before)) * e.normal[at(k)];
-        nodes.template put<field::momentum>(e.place, vector(before + change));
+        nodes.template put<typename Sums::momentum>(e.place, vector(before + change));
         return change;
     }
     /// What a velocity's held components lack.
     static vector missing(const entry& e, const vector& u) {
         vector change = vector::Zero();
-        for (int k = 0; k < e.directions; ++k) change += (e.value[at(k)] - e.normal[at(k)].dot(u)) * e.normal[at(k)];
+        for (int k = 0; k < D && k < e.directions; ++k)
+            change += (e.value[at(k)] - e.normal[at(k)].dot(u)) * e.normal[at(k)];
         return change;
     }
     /// Impulses j of all held nodes with [M~_k^-1] j = b - v on held components; leaves j/m in `lumped`.
@@ -290,7 +294,7 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
         each([&](entry& e) {
             e.node.velocity.setZero();
             std::array<real, static_cast<std::size_t>(D)> raw{};
-            for (int k = 0; k < e.directions; ++k) {
+            for (int k = 0; k < D && k < e.directions; ++k) {
                 const given& g = given_[at(e.source[at(k)])];
                 raw[at(k)] = g.normal.dot(velocity_of(g.condition, e.node.at, t));
                 real value(0);
@@ -340,7 +344,7 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
     void hold(entry& e, int index, const vector& n) {
         vector rest = n;
         std::array<real, static_cast<std::size_t>(D)> row{};
-        for (int k = 0; k < e.directions; ++k) {
+        for (int k = 0; k < D && k < e.directions; ++k) {
             const real along = e.normal[at(k)].dot(n);
             rest -= along * e.normal[at(k)];
             for (int j = 0; j <= k; ++j) row[at(j)] -= along * e.map[at(k)][at(j)];

@@ -114,7 +114,36 @@ struct mass_place : vector_field {
     static constexpr std::string_view name = "mass_place";
 };
 
+/// Mass, momentum and force that a node has at the start of the next step (kg, N s, N): made in 1D while particles are
+/// updated, so that they have columns of their own.
+struct next_mass : scalar_field {
+    static constexpr std::string_view name = "next_mass";
+};
+struct next_momentum : vector_field {
+    static constexpr std::string_view name = "next_momentum";
+};
+struct next_force : vector_field {
+    static constexpr std::string_view name = "next_force";
+};
+
 }  // namespace field
+
+namespace detail {
+
+/// Where a step's sums over particles are: in columns that the results of the step take afterwards ...
+struct sums_in_place {
+    using mass = field::mass;
+    using momentum = field::momentum;
+    using force = field::force;
+};
+/// ... or in columns of their own, made while the results are still read.
+template <bool Mass> struct sums_ahead {
+    using mass = std::conditional_t<Mass, field::next_mass, field::mass>;
+    using momentum = field::next_momentum;
+    using force = field::next_force;
+};
+
+}  // namespace detail
 
 /// The papers' letters, for kernels: `i[m] += w * p[m];`.
 namespace symbols {

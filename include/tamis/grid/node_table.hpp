@@ -23,10 +23,17 @@ template <class S, class List> class node_table {
         // Not a power of two: columns stay out of each other's cache sets.
         : stride_((places + 63) / 64 * 64 + 80), data_(allocate(places, stride_)) {}
 
+    /// Where the columns are. A copy of it stays in registers: no store to a column can change it.
+    struct columns_type {
+        real* first;
+        std::size_t stride;
+        template <class F> TAMIS_INLINE real* column(int c = 0) const {
+            return first + static_cast<std::size_t>(row::template first<F>() + c) * stride;
+        }
+    };
+    TAMIS_INLINE columns_type columns() const { return {first_, stride_}; }
     /// Component c of field F, over all places.
-    template <class F> TAMIS_INLINE real* column(int c = 0) const {
-        return first_ + static_cast<std::size_t>(row::template first<F>() + c) * stride_;
-    }
+    template <class F> TAMIS_INLINE real* column(int c = 0) const { return columns().template column<F>(c); }
     /// A vector field at one place.
     template <class F> TAMIS_INLINE point<S::dim, real> get(std::size_t place) const {
         point<S::dim, real> value;

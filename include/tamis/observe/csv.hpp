@@ -4,8 +4,13 @@
 #include <tamis/solver/integrate.hpp>
 
 #include <cctype>
+#include <charconv>
+#include <concepts>
 #include <cstdio>
+#include <limits>
 #include <set>
+#include <sstream>
+#include <string>
 
 namespace tamis {
 
@@ -29,13 +34,26 @@ inline std::string symmetric_columns(const std::string& name, int dim) {
         for (int e = d + 1; e < dim; ++e) all << ',' << name << '_' << axis_names[d] << axis_names[e];
     return all.str();
 }
-template <class Vector> void put_vector(std::ostream& out, const Vector& value) {
-    for (int d = 0; d < value.rows(); ++d) out << ',' << value[d];
+/// The shortest digits that read back as the same number: streams take several times as long, which short runs of small
+/// bodies would feel.
+template <class Real> void put_number(std::string& out, const Real& value) {
+    if constexpr (std::floating_point<Real>) {
+        char digits[64];
+        out.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    } else {
+        std::ostringstream text;
+        text.precision(std::numeric_limits<double>::max_digits10);
+        text << value;
+        out += text.str();
+    }
 }
-template <class Tensor> void put_symmetric(std::ostream& out, const Tensor& value) {
-    for (int d = 0; d < value.rows(); ++d) out << ',' << value(d, d);
+template <class Vector> void put_vector(std::string& out, const Vector& value) {
+    for (int d = 0; d < value.rows(); ++d) put_number(out += ',', value[d]);
+}
+template <class Tensor> void put_symmetric(std::string& out, const Tensor& value) {
+    for (int d = 0; d < value.rows(); ++d) put_number(out += ',', value(d, d));
     for (int d = 0; d < value.rows(); ++d)
-        for (int e = d + 1; e < value.rows(); ++e) out << ',' << value(d, e);
+        for (int e = d + 1; e < value.rows(); ++e) put_number(out += ',', value(d, e));
 }
 
 /// Is this the name of a file that csv_output writes?
@@ -81,8 +99,8 @@ template <class Lattice, class Shape, class... Body> class csv_output {
     }
 
     void operator()(const progress_state& now) {
-        write("particles", now, [&](std::ostream& out) { put_particles(out, now.time); });
-        write("nodes", now, [&](std::ostream& out) { put_nodes(out, now.time); });
+        write("particles", now, [&] { put_particles(now.time); });
+        write("nodes", now, [&] { put_nodes(now.time); });
     }
     /// Puts the files in place.
     void commit() {
@@ -107,51 +125,55 @@ template <class Lattice, class Shape, class... Body> class csv_output {
     bool made_folder_ = false;
     std::vector<atomic_file> drafts_;
     std::set<std::string> names_;
+    std::string text_;  // of the table being written
 
     template <class Put> void write(const char* what, const progress_state& now, Put put) {
         char name[64];
         std::snprintf(name, sizeof name, "%s_%09ld.csv", what, now.step);
         atomic_file& draft = drafts_.emplace_back(folder_ / name);
-        put(draft.out());
+        text_.clear();
+        put();
+        draft.out().write(text_.data(), static_cast<std::streamsize>(text_.size()));
         draft.close();
     }
-    static void put_columns(std::ostream& out) {
-        out << "time," << detail::vector_columns("position", dim);
-        if constexpr (has_density) out << ",density";
-        out << ',' << detail::vector_columns("velocity", dim) << ',' << detail::symmetric_columns("stress", dim);
-        if constexpr (has_strain) out << ',' << detail::symmetric_columns("strain", dim);
+    void put_columns() {
+        text_ += "time," + detail::vector_columns("position", dim);
+        if constexpr (has_density) text_ += ",density";
+        text_ += ',' + detail::vector_columns("velocity", dim) + ',' + detail::symmetric_columns("stress", dim);
+        if constexpr (has_strain) text_ += ',' + detail::symmetric_columns("strain", dim);
     }
-    template <class Record> static void put_row(std::ostream& out, double time, const Record& r) {
-        out << time;
-        detail::put_vector(out, r.position);
-        if constexpr (has_density) out << ',' << r.density;
-        detail::put_vector(out, r.velocity);
-        detail::put_symmetric(out, r.stress);
-        if constexpr (has_strain) detail::put_symmetric(out, r.strain);
+    template <class Record> void put_row(double time, const Record& r) {
+        detail::put_number(text_, time);
+        detail::put_vector(text_, r.position);
+        if constexpr (has_density) detail::put_number(text_ += ',', r.density);
+        detail::put_vector(text_, r.velocity);
+        detail::put_symmetric(text_, r.stress);
+        if constexpr (has_strain) detail::put_symmetric(text_, r.strain);
     }
-    void put_particles(std::ostream& out, double time) const {
+    void put_particles(double time) {
         constexpr bool several = sizeof...(Body) > 1;
-        out << (several ? "body," : "");
-        put_columns(out);
-        out << ",mass\n";
+        text_ += several ? "body," : "";
+        put_columns();
+        text_ += ",mass\n";
         int k = 0;
         const auto put = [&](const auto& body) {
             for (const auto p : body) {
                 const auto r = record_of(body, p);
-                if (several) out << k << ',';
-                put_row(out, time, r);
-                out << ',' << r.mass << '\n';
+                if (several) text_ += std::to_string(k) + ',';
+                put_row(time, r);
+                detail::put_number(text_ += ',', r.mass);
+                text_ += '\n';
             }
             ++k;
         };
         std::apply([&](const auto&... body) { (put(body), ...); }, all_);
     }
-    void put_nodes(std::ostream& out, double time) const {
-        put_columns(out);
-        out << '\n';
+    void put_nodes(double time) {
+        put_columns();
+        text_ += '\n';
         for (const auto& node : node_records(lattice_, functions_, all_)) {
-            put_row(out, time, node.mean);
-            out << '\n';
+            put_row(time, node.mean);
+            text_ += '\n';
         }
     }
 };

@@ -23,13 +23,14 @@ template <class Shape, class real> bool settle(real& r, int& cell, int bins) {
     return cell >= 0 && cell < bins;
 }
 
-/// Posts the particles of a tile that are in another cell now.
+/// Posts the particles of a tile that are in another cell now; are there any?
 template <class S, class Shape, class Store>
-TAMIS_NOINLINE void post_leavers(Store& store, const lattice<S, Shape>& lattice, std::size_t slab, std::size_t index) {
+TAMIS_NOINLINE bool post_leavers(Store& store, const lattice<S, Shape>& lattice, std::size_t slab, std::size_t index) {
     using real = typename S::real;
     constexpr int D = S::dim, W = S::width;
     tile& t = store.tiles[index];
     constexpr int first = Store::slot::template first<field::position>();
+    bool any = false;
     for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
         for (int l = 0; l < W; ++l) {
             if (!(store.occupied[s] >> l & 1u)) continue;
@@ -48,9 +49,12 @@ TAMIS_NOINLINE void post_leavers(Store& store, const lattice<S, Shape>& lattice,
                 for (int d = 0; d < D; ++d) p[d * W] = local[d];
             else
                 cell[0] = Store::outside;
-            if (cell != from) store.post(slab, s, l, from, cell);
+            if (cell == from) continue;
+            store.post(slab, s, l, from, cell);
+            any = true;
         }
     store.shrink(slab, t);
+    return any;
 }
 
 }  // namespace tamis::detail

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,7 @@ template <class S, class List> class tile_store {
     std::vector<slot, aligned_allocator<slot>> slots;
     std::vector<std::uint32_t> occupied;  // per slot: which lanes hold a particle
     stamp layout;                         // renewed when tiles come or go
+    std::uint64_t updates = 0;            // how often steps changed the particles
 
     explicit tile_store(std::size_t blocks) : tile_of_block_(blocks) {}
 
@@ -212,6 +214,12 @@ template <class S, class List> class tile_store {
         outboxes_.resize(slabs());
     }
     std::size_t slabs() const { return slabs_.size() - 1; }
+    /// The tiles of slab k, in the order of their nodes.
+    std::span<const std::uint32_t> row(std::size_t k) const {
+        return {order_.data() + slabs_[k], slabs_[k + 1] - slabs_[k]};
+    }
+    /// Storage place of the first node that slab k reaches.
+    std::size_t first_place(std::size_t k) const { return tiles[order_[slabs_[k]]].node; }
     /// Runs f(tile index) over the tiles of slab k, in the order of their nodes.
     template <class F> TAMIS_INLINE void each_tile(std::size_t k, F&& f) const {
         for (std::uint32_t j = slabs_[k]; j < slabs_[k + 1]; ++j) f(order_[j]);

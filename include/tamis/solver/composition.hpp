@@ -204,10 +204,19 @@ template <class Grid, class... P> struct composition {
                            std::conditional_t<mass::full, field::strain_velocity, field::start_velocity>>;
     static constexpr bool filters_first = mass::full && (order::before > 0 || order::explicit_euler);
 
+    /// Are particles updated and the next step's sums over them made in one pass? Where rows are one, sums are few and
+    /// nothing but the particles gives to them.
+    static constexpr bool sums_ahead = dim == 1 && S::width > 1 && S::width >= shape::support - 1 && !mass::full &&
+                                       order::before == 0 && !remaps && !own_velocities && !loaded &&
+                                       !(moves && reads_particles<shape>);
+    using sums = std::conditional_t<sums_ahead, detail::sums_ahead<moves>, sums_in_place>;
+
     using node_fields =
         merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
               std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>, fields<strains_after>,
-              std::conditional_t<bands, fields<field::mass_band<shape::support>>, fields<>>, on_nodes_t<touch>, read>;
+              std::conditional_t<bands, fields<field::mass_band<shape::support>>, fields<>>, on_nodes_t<touch>, read,
+              std::conditional_t<sums_ahead, fields<typename sums::mass, typename sums::momentum, typename sums::force>,
+                                 fields<>>>;
     /// What the step itself needs of a particle.
     using step_fields = merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
                               std::conditional_t<moves, on_particles_t<shape>, fields<>>,

@@ -23,7 +23,13 @@ struct mass_to_nodes {
 };
 
 /// Particles to nodes: mass, momentum, force, as far as they are wanted.
-template <class S, class Shape, class Load, bool Mass, bool Momentum, bool Force> struct to_nodes {
+template <class S, class Shape, class Load, class Sums, bool Mass, bool Momentum, bool Force> struct to_nodes {
+    static constexpr typename Sums::mass m{};
+    static constexpr typename Sums::momentum mv{};
+    static constexpr typename Sums::force f{};
+    using list =
+        typename concatenate<fields_if<Mass, typename Sums::mass>, fields_if<Momentum, typename Sums::momentum>,
+                             fields_if<Force, typename Sums::force>>::type;
     using kinds = load_kinds<Load, point<S::dim, typename S::real>>;
     static constexpr bool loaded = Force && kinds::on_particles, on_faces = loaded && kinds::by_face;
     /// What is the same for every node around a particle: M V, V0 tau and what loads give.
@@ -39,14 +45,17 @@ template <class S, class Shape, class Load, bool Mass, bool Momentum, bool Force
         const auto& mass = slot.template get<field::mass>();
         carried of;
         if constexpr (Momentum) of.momentum = slot.template get<field::velocity>() * mass;
-        if constexpr (Force) of.stress = slot.template get<field::stress>() * slot.template get<field::volume>();
+        // By components: a matrix times a scalar keeps copies of the scalar in memory.
+        if constexpr (Force)
+            unroll<symmetric_field::components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
+                of.stress[c] = slot.template get<field::stress>()[c] * slot.template get<field::volume>();
+            });
         if constexpr (loaded) of.load = loading_of<S, Shape>(load, slot, at, time);
         return of;
     }
     TAMIS_INLINE void operator()(auto p, auto near, const carried& of) const {
-        using namespace symbols;
         for (const auto& [i, w, dw] : near) {
-            if constexpr (Mass) i[m] += w * p[m];
+            if constexpr (Mass) i[m] += w * p[symbols::m];
             if constexpr (Momentum) i[mv] += w * of.momentum;
             if constexpr (Force) i[f] -= unpack<S>(of.stress) * dw;
             if constexpr (loaded) i[f] += w * of.load.force;
@@ -100,21 +109,21 @@ template <bool MassIsNew> struct velocity_of_momentum {
 };
 
 /// f and v become a and v+; before that p becomes v and m becomes 1/m, where they are still to. `Keep`: v is kept.
-template <class T, bool MassIsNew, bool FromMomentum, bool Keep> struct accelerate {
+template <class T, class Sums, bool MassIsNew, bool FromMomentum, bool Keep> struct accelerate {
     T dt;
     TAMIS_INLINE void operator()(auto i) const {
         using namespace symbols;
-        if constexpr (MassIsNew) i[im] = inverse_or_zero(i[m]);
-        if constexpr (FromMomentum) i[v] = i[mv] * i[im];
+        if constexpr (MassIsNew) i[im] = inverse_or_zero(i[typename Sums::mass{}]);
+        if constexpr (FromMomentum) i[v] = i[typename Sums::momentum{}] * i[im];
         if constexpr (Keep) i[v_start] = i[v];
-        i[a] = i[f] * i[im];
+        i[a] = i[typename Sums::force{}] * i[im];
         i[v] += dt * i[a];
     }
-    using list =
-        typename concatenate<fields_if<MassIsNew, const field::mass, field::inverse_mass>,
-                             fields_if<!MassIsNew, const field::inverse_mass>,
-                             fields_if<FromMomentum, const field::momentum>, fields_if<Keep, field::start_velocity>,
-                             fields<const field::force, field::acceleration, field::velocity>>::type;
+    using list = typename concatenate<fields_if<MassIsNew, const typename Sums::mass, field::inverse_mass>,
+                                      fields_if<!MassIsNew, const field::inverse_mass>,
+                                      fields_if<FromMomentum, const typename Sums::momentum>,
+                                      fields_if<Keep, field::start_velocity>,
+                                      fields<const typename Sums::force, field::acceleration, field::velocity>>::type;
 };
 
 /// The gathered gradient strains the particles, which then move if they are to.

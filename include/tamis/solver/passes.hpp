@@ -31,6 +31,9 @@ template <class Solver, class... Body> struct passes {
     std::tuple<Body&...>& all;
     real dt_, inverse_dt = real(1) / dt_;
 
+    /// Are the next step's sums made while the particles are updated?
+    static constexpr bool one_pass = C::sums_ahead && sizeof...(Body) == 1 && !(Body::needs_flow || ...);
+
     T dt() const { return T(dt_); }
     /// f(body, sweeps of its velocity field).
     template <class F> void each_body(F f) {
@@ -54,8 +57,6 @@ template <class Solver, class... Body> struct passes {
     /// Particles to nodes: mass (where it changes) and momentum; force.
     template <bool Momentum, bool Force, bool Mass = C::moves> void extrapolate() {
         constexpr bool mass = Momentum && Mass;
-        using list = typename concatenate<fields_if<mass, field::mass>, fields_if<Momentum, field::momentum>,
-                                          fields_if<Force, field::force>>::type;
         constexpr bool loaded = Force && C::kinds::on_particles;
         using load = std::conditional_t<loaded, typename C::load, unloaded>;
         [[maybe_unused]] static constexpr unloaded none{};
@@ -64,9 +65,11 @@ template <class Solver, class... Body> struct passes {
             loads = &mpm.load_;
         else
             loads = &none;
-        const to_nodes<S, typename C::shape, load, mass, Momentum, Force> kernel{*loads, mpm.time_};
-        each_body([&](auto& b, auto& sweeps) { sweeps.template scatter<fields<const field::mass>, list>(b, kernel); });
-        wrap(list{});
+        using kernel = to_nodes<S, typename C::shape, load, typename C::sums, mass, Momentum, Force>;
+        each_body([&](auto& b, auto& sweeps) {
+            sweeps.template scatter<fields<const field::mass>, typename kernel::list>(b, kernel{*loads, mpm.time_});
+        });
+        wrap(typename kernel::list{});
     }
     /// Sums of particles at the two places of a node at a periodic wall are one.
     template <class... F> void wrap(fields<F...> list) {
@@ -107,7 +110,7 @@ template <class Solver, class... Body> struct passes {
     /// f and v (or p) become a and v+.
     template <bool FromMomentum> void accelerate() {
         constexpr bool keep = stores<typename C::node_fields, field::start_velocity>;
-        using kernel = detail::accelerate<T, FromMomentum && C::moves, FromMomentum, keep>;
+        using kernel = detail::accelerate<T, typename C::sums, FromMomentum && C::moves, FromMomentum, keep>;
         nodes(kernel{dt()});
     }
 
@@ -256,9 +259,17 @@ template <class Solver, class... Body> struct passes {
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {
         using gathers = typename C::gathers;
         const auto look = this->template look_for<Gradient>(b, sweeps);
-        using kernel = detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains,
-                                                C::particles_go, std::remove_const_t<decltype(look)>>;
-        sweeps.template gather_each<gathers, Gradient>(b, kernel{b.law, mpm.transfer_.particle, dt(), strain_dt, look});
+        using update_kernel = detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains,
+                                                       C::particles_go, std::remove_const_t<decltype(look)>>;
+        const update_kernel kernel{b.law, mpm.transfer_.particle, dt(), strain_dt, look};
+        if constexpr (one_pass) {
+            static constexpr unloaded none{};
+            using sum_kernel = to_nodes<S, typename C::shape, unloaded, typename C::sums, C::moves, true, true>;
+            mpm.ahead_.made = sweeps.template gather_and_scatter<gathers, Gradient, fields<const field::mass>,
+                                                                 typename sum_kernel::list>(
+                b, kernel, sum_kernel{none, 0}, mpm.ahead_.pays);
+        } else
+            sweeps.template gather_each<gathers, Gradient>(b, kernel);
     }
     /// For a law that wants to know the flow past its particles: the nodes' means of what it carries.
     template <class Velocity, class B, class Sweeps> auto look_for(B& b, Sweeps& sweeps) {

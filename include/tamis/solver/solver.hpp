@@ -16,6 +16,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace tamis {
@@ -53,6 +54,7 @@ template <class Grid, class... Policies> class solver {
         start_ = previous_ = time_ = t;
         steps_ = 0;
         crossings_ = 0;
+        ahead_.used = 0;
         each_field([](auto& field) { field.held.restart(); });
         if constexpr (C::own_velocities) contact_.restart();
         detail::restart_loads(load_);
@@ -111,6 +113,9 @@ template <class Grid, class... Policies> class solver {
         grid().each_node([&](const auto& index) { column.push_back(places[lattice_.node_place(index)]); });
         return column;
     }
+    /// Steps that found their sums over the particles made by the step before, in the pass that updated them. Always 0
+    /// where the composition cannot do so: in 2D and 3D, under loads, with a full mass matrix, ...
+    long steps_in_one_pass() const { return ahead_.used; }
     /// Terms of the full mass matrix's series that the last step took, and the size of the last one; 0 unless the
     /// scheme looks (`adaptive_fmpm`).
     const series_report& series() const { return series_; }
@@ -169,8 +174,12 @@ template <class Grid, class... Policies> class solver {
         const double held_start = order::explicit_euler ? previous_ : time_;
         const double held_end = order::explicit_euler ? time_ : end;
 
-        if constexpr (C::moves) now.template set_zero<field::mass>();
-        now.template set_zero<field::momentum>();
+        using sums = typename C::sums;
+        const bool made = sums_are_made(all);
+        if (!made) {
+            if constexpr (C::moves) now.template set_zero<typename sums::mass>();
+            now.template set_zero<typename sums::momentum>();
+        }
         if constexpr (order::before > 0) {
             now.template extrapolate<true, false>();
             now.start(held_start);
@@ -182,8 +191,10 @@ template <class Grid, class... Policies> class solver {
             now.template constrain_forces<true>(held_end);
             now.template accelerate<false>();
         } else {
-            now.template set_zero<field::force>();
-            now.template extrapolate<true, true>();
+            if (!made) {
+                now.template set_zero<typename sums::force>();
+                now.template extrapolate<true, true>();
+            }
             now.start(held_start);
             if constexpr (C::filters_first) {
                 now.velocity_of_momentum();
@@ -213,8 +224,10 @@ template <class Grid, class... Policies> class solver {
         previous_ = time_;
         time_ = end;
         ++steps_;
+        if constexpr (C::sums_ahead) ahead_.updates = std::get<0>(all).store().updates;
         if constexpr (C::moves) {
-            weights_.renew();
+            if constexpr (C::bands || C::exact) weights_.renew();
+            if (ahead_.made) return;  // nobody left its cell
             std::string failure;
             std::apply([&](auto&... b) { (deliver(b, detail::to_double(dt), failure), ...); }, all);
             if (!failure.empty()) throw error(failure);
@@ -224,7 +237,8 @@ template <class Grid, class... Policies> class solver {
   private:
     using sweeps_type = detail::sweeps<S, typename C::shape, typename C::node_fields, typename C::execution, C::moves>;
     using lattice_type = typename sweeps_type::lattice_type;
-    using held_type = detail::held_nodes<S, typename C::shape, typename C::boundary, typename C::method>;
+    using held_type =
+        detail::held_nodes<S, typename C::shape, typename C::boundary, typename C::method, typename C::sums>;
     using contact_type = typename detail::contact_of<S, typename C::shape, typename C::touch>::type;
     /// Nodes with one velocity each: the passes over them, and the conditions that hold them.
     struct velocity_field {
@@ -254,6 +268,14 @@ template <class Grid, class... Policies> class solver {
     detail::stamp weights_;
     std::uint64_t bands_made_for_ = 0;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared
+    /// The next step's sums over the particles (`composition::sums_ahead`): are they there, of which state of the body,
+    /// and is it worth while to make them?
+    struct {
+        bool made = false, pays = false;
+        int pause = 0, next_pause = 1;
+        std::uint64_t updates = 0;
+        long used = 0;
+    } ahead_;
 
     template <detail::role R, class Default> static auto pick(const std::tuple<Policies...>& all) {
         return C::template by_role<R, Default>::of(all);
@@ -297,6 +319,27 @@ template <class Grid, class... Policies> class solver {
             for (const auto& other : further_) f(std::as_const(*other));
     }
 
+    /// Were the step's sums over particles made by the step before, and are they still those of the body?
+    template <class... Body> bool sums_are_made(std::tuple<Body&...>& all) {
+        if constexpr (detail::passes<solver, Body...>::one_pass) {
+            const bool made = std::exchange(ahead_.made, false) && ahead_.updates == std::get<0>(all).store().updates;
+            // Where they were of no use, as after particles went to other cells, some steps go without: ever more
+            // while it happens again and again.
+            if (made) {
+                ahead_.next_pause = 1;
+                ++ahead_.used;
+            } else if (ahead_.pays) {
+                ahead_.pause = ahead_.next_pause;
+                ahead_.next_pause = std::min(2 * ahead_.next_pause, 64);
+            }
+            ahead_.pays = ahead_.pause == 0 && !detail::any_axis_wraps(lattice_);
+            if (ahead_.pause > 0) --ahead_.pause;
+            return made;
+        } else {
+            ahead_.made = false;
+            return false;
+        }
+    }
     /// What does not change from step to step: which nodes are in use and, for held particles, the nodes' masses.
     template <class... Body> void prepare(std::tuple<Body&...>& all) {
         const auto each = [&](auto f) { std::apply([&](auto&... b) { (f(b), ...); }, all); };
@@ -305,6 +348,7 @@ template <class Grid, class... Policies> class solver {
         each([&](auto& b) { now[k++] = b.contents().number(); });
         each([&](auto& b) { now[k++] = b.store().layout.number(); });
         if (std::equal(now.begin(), now.end(), seen_.begin(), seen_.end())) return;
+        ahead_.made = false;
 
         const bool as_before = seen_.size() == now.size();
         const auto contents_end = now.begin() + static_cast<std::ptrdiff_t>(sizeof...(Body));

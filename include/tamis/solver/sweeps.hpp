@@ -3,6 +3,7 @@
 #include <tamis/particles/body.hpp>
 #include <tamis/particles/leavers.hpp>
 #include <tamis/transfer/gather.hpp>
+#include <tamis/transfer/running_sums.hpp>
 #include <tamis/transfer/scatter.hpp>
 #include <tamis/transfer/weigh.hpp>
 
@@ -170,6 +171,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     /// nodes around it as well. Particles that are in another cell then are posted.
     template <class Sums, class Gradient, class Body, class Kernel> void gather_each(Body& body, Kernel kernel) {
         auto& store = body.store();
+        ++store.updates;
         run_.for_each(store.slabs(), [&](std::size_t k) {
             store.each_tile(k, [&](std::size_t j) {
                 [[maybe_unused]] const bool left = gather_tile<Sums, Gradient>(store, store.tiles[j], kernel);
@@ -178,6 +180,39 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                         post_leavers(store, lattice_, k, j);
             });
         });
+    }
+    /// As `gather_each`, and where `ahead`, as `scatter` does with what `give` makes of the particles after it, in one
+    /// pass, in 1D; `ToNodes` must be columns that are not gathered. False if those sums were not made, or lack
+    /// particles that went to other cells.
+    template <class Sums, class Gradient, class Shown, class ToNodes, class Body, class Kernel, class Give>
+    bool gather_and_scatter(Body& body, Kernel kernel, Give give, bool ahead) {
+        using row_type = running_sums<S, N, ToNodes>;
+        auto& store = body.store();
+        ++store.updates;
+        const auto run_row = [&](std::size_t k, row_type& row) {
+            return gather_and_scatter_row<Sums, Gradient, Shown>(store, k, kernel, give, ahead, row);
+        };
+        const std::size_t slabs = store.slabs();
+        if (slabs == 1) {
+            row_type row;
+            const bool some_left = run_row(0, row);
+            if (ahead) row.write_waiting(nodes_.columns());
+            return ahead && !some_left;
+        }
+        // Where one slab's row ends the next may begin: what waits there is added when both are done.
+        std::vector<row_type, aligned_allocator<row_type>> rows(slabs);
+        std::vector<char> some_left(slabs);
+        run_.for_each(slabs, [&](std::size_t k) { some_left[k] = run_row(k, rows[k]); });
+        for (std::size_t k = 0; k < slabs && ahead; ++k) {
+            if (rows[k].next() == row_type::nowhere) continue;
+            std::size_t after = k + 1;
+            while (after < slabs && rows[after].next() == row_type::nowhere) ++after;
+            if (after < slabs && store.first_place(after) == rows[k].next())
+                rows[k].add_waiting(nodes_.columns());
+            else
+                rows[k].write_waiting(nodes_.columns());
+        }
+        return ahead && std::find(some_left.begin(), some_left.end(), 1) == some_left.end();
     }
 
   private:
@@ -196,15 +231,16 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     template <class Shown, class Kernel>
-    TAMIS_FLATTEN void node_blocks(const std::uint32_t* blocks, std::size_t count, Kernel& kernel) {
+    TAMIS_FLATTEN void node_blocks(const std::uint32_t* blocks, std::size_t count, Kernel kernel) {
         using L = lane<T>;
+        const auto columns = nodes_.columns();
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t place = blocks[k] * static_cast<std::size_t>(W);
             values<S, Shown> local;
             each_field<Shown>::run([&](auto tag) TAMIS_INLINE_LAMBDA {
                 using F = std::remove_const_t<typename decltype(tag)::type>;
                 unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
-                    component<S>(local.template get<F>(), c) = L::load(nodes_.template column<F>(c) + place);
+                    component<S>(local.template get<F>(), c) = L::load(columns.template column<F>(c) + place);
                 });
             });
             kernel(view<values<S, Shown>, Shown>{local});
@@ -212,7 +248,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 using F = typename decltype(tag)::type;
                 if constexpr (!std::is_const_v<F>)
                     unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
-                        L::store(nodes_.template column<F>(c) + place, component<S>(local.template get<F>(), c));
+                        L::store(columns.template column<F>(c) + place, component<S>(local.template get<F>(), c));
                     });
             });
         }
@@ -237,6 +273,57 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             if constexpr (Moves) left = left || weigh.may_have_left(slot);
         }
         return left;
+    }
+    /// The tiles of slab k one after the other; true if particles left their cells. All that the loop needs is
+    /// copied: what is stored might, for all the compiler knows, change anything else.
+    template <class Sums, class Gradient, class Shown, class Store, class Kernel, class Give, class Row>
+    TAMIS_FLATTEN bool gather_and_scatter_row(Store& store, std::size_t k, const Kernel& the_kernel,
+                                              const Give& the_give, bool ahead, Row& row_out) {
+        using sums_type = typename Row::sums_type;
+        const auto columns = nodes_.columns();
+        const lattice_type lattice = lattice_;
+        Kernel kernel = the_kernel;
+        const Give give = the_give;
+        auto* const slots = store.slots.data();
+        const std::uint32_t* const occupied = store.occupied.data();
+        const tile* const tiles = store.tiles.data();
+        Row row;
+        bool some_left = false;
+        for (const std::uint32_t j : store.row(k)) {
+            const tile& t = tiles[j];
+            const std::size_t place = t.node;
+            const std::uint32_t first = t.first, last = first + t.count;
+            const weigh_type weigh(functions_, lattice, t);
+            const frame<S> at = lattice.frame_of(t.at);
+            sums_type sums[N];
+            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
+            auto stay = T(real(0)) >= T(real(0));
+            for (std::uint32_t s = first; s < last; ++s) {
+                auto& slot = slots[s];
+                stencil<S, N> st;
+                weigh(st, slot);
+                gathered<S, Sums> g;
+                gather<Gradient>(lattice, columns, st, place, g);
+                kernel(slot, occupied[s], at, g);
+                if (occupied[s] != Store::full) clear_empty(slot);
+                if constexpr (Moves) stay = stay & weigh.stays(slot);
+                if (!ahead) continue;
+                if constexpr (Moves) weigh(st, slot);
+                const auto made = give.make(slot, at);
+                unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
+                    const auto across = st.row(0);
+                    const one_node<S, sums_type, typename Row::list> near{
+                        {{sums[a]}, st.weight(a, across), st.slope(a, across)}};
+                    give(slot_row<S, typename Store::slot, Shown>{slot, at}, near, made);
+                });
+            }
+            if (ahead) row.add(sums, columns, place);
+            if constexpr (Moves)
+                if (!lane<T>::all(stay)) [[unlikely]]
+                    some_left = post_leavers(store, lattice_, k, j) || some_left;
+        }
+        row_out = row;
+        return some_left;
     }
     /// Empty lanes stay exactly empty, whatever the law made of them: by select, for 0 times NaN is NaN.
     template <class Slot> TAMIS_INLINE static void clear_empty(Slot& slot) {

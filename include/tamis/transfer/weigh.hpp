@@ -33,21 +33,24 @@ template <class S, class Shape, bool Moves> struct tile_weights {
     }
     /// Has one of the slot's particles left its cell, or the grid? True also for a place that is not a number.
     template <class Slot> TAMIS_INLINE bool may_have_left(const Slot& slot) const {
+        return !lane<typename S::scalar>::all(stays(slot));
+    }
+    /// Which particles of the slot are still in their cell.
+    template <class Slot> TAMIS_INLINE auto stays(const Slot& slot) const {
         using T = typename S::scalar;
         using real = typename S::real;
         const auto& r = slot.template get<field::position>();
         const T zero(real(0)), one(real(1));
-        auto stays = both(r[0] >= zero, r[0] < one);
+        auto stay = both(r[0] >= zero, r[0] < one);
         unroll<S::dim - 1>([&](auto d)
-                               TAMIS_INLINE_LAMBDA { stays = both(stays, both(r[d + 1] >= zero, r[d + 1] < one)); });
+                               TAMIS_INLINE_LAMBDA { stay = both(stay, both(r[d + 1] >= zero, r[d + 1] < one)); });
         if constexpr (Shape::shift > 0)
             if (at_wall)
                 unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
                     const T shift = constant<T>(Shape::shift);
-                    stays =
-                        both(stays, both(r[d] >= walls.low[d] * shift, r[d] <= one - walls.high[d] * (one - shift)));
+                    stay = both(stay, both(r[d] >= walls.low[d] * shift, r[d] <= one - walls.high[d] * (one - shift)));
                 });
-        return lane<T>::any(!stays);
+        return stay;
     }
 
   private:
