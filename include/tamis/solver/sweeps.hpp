@@ -121,9 +121,10 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         auto& store = body.store();
         each_tile_by_colour(store, [&](const tile& t) {
             const weigh_type weigh(functions_, lattice_, t);
+            const nodes_around<S, Shape, merge_as_is<Read>> around(lattice_, nodes_, t.node);
             const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
                 gathered<S, Read> g;
-                gather<no_field>(lattice_, nodes_, st, t.node, g);
+                gather<no_field>(around, st, g);
                 return g;
             };
             scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
@@ -210,13 +211,14 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     TAMIS_FLATTEN bool gather_tile(Store& store, const tile& t, Kernel& kernel) {
         const weigh_type weigh(functions_, lattice_, t);
         const frame<S> at = lattice_.frame_of(t.at);
+        const nodes_around<S, Shape, typename with_gradient<Sums, Gradient>::type> around(lattice_, nodes_, t.node);
         bool left = false;
         for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
             auto& slot = store.slots[s];
             stencil<S, N> st;
             weigh(st, slot);
             gathered<S, Sums> g;
-            gather<Gradient>(lattice_, nodes_, st, t.node, g);
+            gather<Gradient>(around, st, g);
             kernel(slot, store.occupied[s], at, g);
             if (store.occupied[s] != Store::full) clear_empty(slot);
             if constexpr (Moves) left = left || weigh.may_have_left(slot);
