@@ -145,14 +145,14 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
     template <class Increment, class Nodes> void start_columns(const Nodes& nodes, int batch) {
         each([&](entry& e) {
             if (e.row >= 0 && e.row / D == batch)
-                nodes.template column<Increment>(e.row % D)[e.place] = real(1) / e.mass;
+                nodes.template at<Increment>(e.place, e.row % D) = real(1) / e.mass;
         });
     }
     /// ... then, term by term, what the series adds.
     template <class Increment, class Nodes> void add_columns(const Nodes& nodes, int batch) {
         each([&](entry& e) {
             for (int d = 0; d < D && e.row >= 0 && batch * D + d < inverse_.rows(); ++d)
-                inverse_.add(e.row, batch * D + d, nodes.template column<Increment>(d)[e.place]);
+                inverse_.add(e.row, batch * D + d, nodes.template at<Increment>(e.place, d));
         });
     }
 
@@ -239,7 +239,7 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
         for (const std::uint32_t k : active_) f(entries_[k]);
     }
     template <class Nodes> static void take_mass(const Nodes& nodes, entry& e) {
-        e.mass = nodes.template column<field::mass>()[e.place];
+        e.mass = nodes.template at<field::mass>(e.place);
         if (!(e.mass > real(0)) || e.mass < least_mass<real>()) e.mass = real(0);
     }
     /// Held components of the momentum take their values: the change.

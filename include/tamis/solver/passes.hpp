@@ -45,8 +45,8 @@ template <class Solver, class... Body> struct passes {
     }
     /// The same with the kernel's own list.
     template <class Kernel> void nodes(Kernel kernel) { nodes(typename Kernel::list{}, kernel); }
-    template <class F> void set_zero() {
-        mpm.each_field([](auto& field) { field.sweeps.nodes().template set_zero<F>(); });
+    template <class... F> void set_zero() {
+        mpm.each_field([](auto& field) { field.sweeps.nodes().template set_zero<F...>(); });
     }
 
     // Momentum, force and velocity, with what conditions and contact do to them.
@@ -172,7 +172,8 @@ template <class Solver, class... Body> struct passes {
     }
     template <class Field, class F> void each_column(Field, F f) {
         mpm.each_field([&](auto& field) {
-            for (int c = 0; c < Field::template components<S>; ++c) f(field.sweeps.nodes().template column<Field>(c));
+            for (int c = 0; c < Field::template components<S>; ++c)
+                field.sweeps.nodes().template with_column<Field>(c, f);
         });
     }
 
@@ -210,12 +211,11 @@ template <class Solver, class... Body> struct passes {
     /// sum A^l m^-1 of the unit vector of the node at a place, per place.
     std::vector<real> inverse_column(std::size_t at) {
         auto& table = mpm.field_.sweeps.nodes();
-        real* const column = table.template column<field::increment>();
         std::vector<real> sum(mpm.lattice_.size(), real(0));
         set_zero<field::increment>();
-        column[at] = table.template column<field::inverse_mass>()[at];
+        table.template at<field::increment>(at) = table.template at<field::inverse_mass>(at);
         mpm.transfer_.mass.each_term(*this, [&] {
-            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += column[k];
+            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += table.template at<field::increment>(k);
         });
         return sum;
     }
@@ -288,7 +288,7 @@ template <class Solver, class... Body> struct passes {
         using touch = typename C::touch;
         const auto fields_of = tables();
         mpm.contact_.find(fields_of, [&](std::size_t k, std::size_t at) -> real {
-            const real m = fields_of[k]->template column<field::mass>()[at];
+            const real m = fields_of[k]->template at<field::mass>(at);
             if constexpr (C::moves) return m;
             return m > real(0) ? real(1) / m : real(0);
         });

@@ -168,9 +168,9 @@ template <class Grid, class... Policies> class solver {
         const double held_start = order::explicit_euler ? previous_ : time_;
         const double held_end = order::explicit_euler ? time_ : end;
 
-        if constexpr (C::moves) now.template set_zero<field::mass>();
-        now.template set_zero<field::momentum>();
         if constexpr (order::before > 0) {
+            if constexpr (C::moves) now.template set_zero<field::mass>();
+            now.template set_zero<field::momentum>();
             now.template extrapolate<true, false>();
             now.start(held_start);
             now.velocity_of_momentum();
@@ -181,7 +181,10 @@ template <class Grid, class... Policies> class solver {
             now.template constrain_forces<true>(held_end);
             now.template accelerate<false>();
         } else {
-            now.template set_zero<field::force>();
+            if constexpr (C::moves)
+                now.template set_zero<field::mass, field::momentum, field::force>();
+            else
+                now.template set_zero<field::momentum, field::force>();
             now.template extrapolate<true, true>();
             now.start(held_start);
             if constexpr (C::filters_first) {

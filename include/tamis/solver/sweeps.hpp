@@ -193,7 +193,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             each_field<Shown>::run([&](auto tag) TAMIS_INLINE_LAMBDA {
                 using F = std::remove_const_t<typename decltype(tag)::type>;
                 unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
-                    component<S>(local.template get<F>(), c) = L::load(nodes_.template column<F>(c) + place);
+                    component<S>(local.template get<F>(), c) = L::load(nodes_.template block<F>(place, c));
                 });
             });
             kernel(view<values<S, Shown>, Shown>{local});
@@ -201,7 +201,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 using F = typename decltype(tag)::type;
                 if constexpr (!std::is_const_v<F>)
                     unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
-                        L::store(nodes_.template column<F>(c) + place, component<S>(local.template get<F>(), c));
+                        L::store(nodes_.template block<F>(place, c), component<S>(local.template get<F>(), c));
                     });
             });
         }

@@ -28,9 +28,8 @@ template <class S, class Shape, class List> class nodes_around {
             using F = typename decltype(tag)::type;
             for (int c = 0; c < F::template components<S>; ++c)
                 for (int r = 0; r < rows; ++r) {
-                    const auto* const from = nodes.template column<F>(c) + first + lattice.row_offset(r);
                     T* const to = value_[place<F>(c) + r];
-                    unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { to[a] = lane<T>::load(from + a); });
+                    take_row<F>(to, nodes, first + lattice.row_offset(r), c);
                     if constexpr (pivot >= 0)
                         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
                             if constexpr (a != pivot) to[a] -= to[pivot];
@@ -42,6 +41,25 @@ template <class S, class Shape, class List> class nodes_around {
     template <class F> TAMIS_INLINE auto values_of(int c) const { return value_ + place<F>(c); }
 
   private:
+    template <class F, class Nodes>
+    TAMIS_INLINE static void take_row(T* to, const Nodes& nodes, std::size_t first, int c) {
+        using L = lane<T>;
+        constexpr int W = S::width;
+        if constexpr (S::dim == 1)
+            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { to[a] = L::load(nodes.template column<F>(c) + first + a); });
+        else {
+            const auto block = [&](int q) TAMIS_INLINE_LAMBDA {
+                return L::load(nodes.template block<F>(first + static_cast<std::size_t>(q * W), c));
+            };
+            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
+                constexpr int q = a / W, k = a % W;
+                if constexpr (k == 0)
+                    to[a] = block(q);
+                else
+                    to[a] = L::template slide<k>(block(q), block(q + 1));
+            });
+        }
+    }
     template <class F> static constexpr int place(int c) {
         return (values<S, List>::template first<F>() + c) * rows;
     }

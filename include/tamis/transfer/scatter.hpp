@@ -44,9 +44,8 @@ template <class S, class Group, class All> struct group_sums {
     }
 };
 
-/// Adds a row of sums to the node columns. Unaligned adds at x, x + 1, x + 2 would each wait for the store before to
-/// leave the core, so lanes are shifted in registers and added to two aligned vectors. With a pivot, its sum is that of
-/// the whole row.
+/// Adds a row of sums to the nodes. Unaligned adds at x, x + 1, x + 2 would each wait for the store before to leave the
+/// core, so lanes are shifted in registers and added to whole blocks. With a pivot, its sum is that of the whole row.
 template <class S, int N, int Pivot, class Nodes, class Sums, class... F>
 TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, fields<F...>) {
     using T = typename S::scalar;
@@ -54,24 +53,36 @@ TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, 
     constexpr int W = S::width;
     const auto column = [&](auto tag, auto c) TAMIS_INLINE_LAMBDA {
         using G = typename decltype(tag)::type;
-        auto* p = nodes.template column<G>(c) + place;
         T sum[N];
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sum[a] = component<S>(sums[a].template get<G>(), c); });
         if constexpr (Pivot >= 0)
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
                 if constexpr (a != Pivot) sum[Pivot] -= sum[a];
             });
-        if constexpr (W < N - 1 || W == 1) {
-            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { L::store(p + a, L::load(p + a) + sum[a]); });
-        } else {
-            T low = sum[0] + L::template up<1>(sum[1]);
-            T high = L::template over<1>(sum[1]);
-            unroll<N - 2>([&](auto a) TAMIS_INLINE_LAMBDA {
-                low += L::template up<a + 2>(sum[a + 2]);
-                high += L::template over<a + 2>(sum[a + 2]);
+        const auto give = [&](int block, const T& sum_of_block) TAMIS_INLINE_LAMBDA {
+            auto* const p = nodes.template block<G>(place + static_cast<std::size_t>(block * W), c);
+            L::store(p, L::load(p) + sum_of_block);
+        };
+        if constexpr (W == 1)
+            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { give(a, sum[a]); });
+        else {
+            constexpr int blocks = (N - 1) / W + ((N - 1) % W > 0 ? 2 : 1);
+            T of[blocks];
+            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
+                constexpr int q = a / W, k = a % W;
+                if constexpr (a == 0)
+                    of[0] = sum[0];
+                else if constexpr (k == 0)
+                    of[q] += sum[a];
+                else {
+                    of[q] += L::template up<k>(sum[a]);
+                    if constexpr (k == 1)
+                        of[q + 1] = L::template over<1>(sum[a]);
+                    else
+                        of[q + 1] += L::template over<k>(sum[a]);
+                }
             });
-            L::store(p, L::load(p) + low);
-            L::store(p + W, L::load(p + W) + high);
+            unroll<blocks>([&](auto q) TAMIS_INLINE_LAMBDA { give(q, of[q]); });
         }
     };
     (unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA { column(std::type_identity<F>{}, c); }), ...);
