@@ -144,8 +144,7 @@ template <class S, class Shape, class Boundary, class Method = boundary_method::
     }
     template <class Increment, class Nodes> void start_columns(const Nodes& nodes, int batch) {
         each([&](entry& e) {
-            if (e.row >= 0 && e.row / D == batch)
-                nodes.template at<Increment>(e.place, e.row % D) = real(1) / e.mass;
+            if (e.row >= 0 && e.row / D == batch) nodes.template at<Increment>(e.place, e.row % D) = real(1) / e.mass;
         });
     }
     /// ... then, term by term, what the series adds.

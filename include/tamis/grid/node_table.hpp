@@ -12,8 +12,8 @@
 namespace tamis::detail {
 
 /// Node fields, and which blocks of W nodes are in use. In 1D they lie in columns, one per component. Beyond, all
-/// components of a block lie side by side: a tile reaches many rows of nodes, and each row would else take as many pages
-/// of memory as there are components.
+/// components of a block lie side by side: a tile reaches many rows of nodes, and each row would else take as many
+/// pages of memory as there are components.
 template <class S, class List> class node_table {
   public:
     using real = typename S::real;

@@ -12,6 +12,12 @@ template <class S, class Tensor, class Slope> struct tensor_on_slope {
     const Tensor& t;
     const Slope& g;
 
+    TAMIS_INLINE operator typename S::vector() const {
+        typename S::vector all = S::vector::Constant(typename S::scalar(typename S::real(0)));
+        all += *this;
+        return all;
+    }
+
     TAMIS_INLINE friend void operator+=(typename S::vector& to, const tensor_on_slope& product) {
         product.g.multiply(product.t, to, [](auto& sum, const auto&... a) TAMIS_INLINE_LAMBDA { sum += (a * ...); });
     }
@@ -41,8 +47,9 @@ template <class S> struct slope_of {
         const typename S::vector g = *this;
         return g[d];
     }
-    template <class Tensor> friend TAMIS_INLINE tensor_on_slope<S, Tensor, slope_of>
-    operator*(const Eigen::MatrixBase<Tensor>& t, const slope_of& g) {
+    template <class Tensor>
+    friend TAMIS_INLINE tensor_on_slope<S, Tensor, slope_of> operator*(const Eigen::MatrixBase<Tensor>& t,
+                                                                       const slope_of& g) {
         return {t.derived(), g};
     }
     /// to += sign t g, components in two fused operations.
@@ -75,8 +82,9 @@ template <class S> struct slope_of_row {
         if constexpr (S::dim == 3) g[2] = d2;
         return g;
     }
-    template <class Tensor> friend TAMIS_INLINE tensor_on_slope<S, Tensor, slope_of_row>
-    operator*(const Eigen::MatrixBase<Tensor>& t, const slope_of_row& g) {
+    template <class Tensor>
+    friend TAMIS_INLINE tensor_on_slope<S, Tensor, slope_of_row> operator*(const Eigen::MatrixBase<Tensor>& t,
+                                                                           const slope_of_row& g) {
         return {t.derived(), g};
     }
     template <class Tensor, class Fused>

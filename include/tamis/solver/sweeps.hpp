@@ -66,13 +66,14 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter(Body& body, Kernel kernel) {
         auto& store = body.store();
         const bool mail = store.has_mail();
-        each_tile_by_colour(store, [&](tile& t) {
+        each_tile_by_colour(store, [&](tile& t, const auto* next) {
             if (mail) store.deliver(t);
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto& slot, const auto&, const auto& at)
                                   TAMIS_INLINE_LAMBDA { return kernel.make(slot, at); };
-            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
-                                         kernel);
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
+            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
+                                         make, kernel);
         });
         if (mail) store.mail_delivered();
     }
@@ -81,15 +82,16 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter_weights(Body& body, Kernel kernel) {
         static_assert(S::dim == 1);
         auto& store = body.store();
-        each_tile_by_colour(store, [&](const tile& t) {
+        each_tile_by_colour(store, [&](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
                 std::array<T, static_cast<std::size_t>(N)> weights;
                 unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { weights[a] = st.weight(a, st.row(0)); });
                 return weights;
             };
-            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
-                                         kernel);
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
+            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
+                                         make, kernel);
         });
     }
     /// To = B From in 1D, B a symmetric matrix whose rows' diagonal and upper entries are the components of `Bands`.
@@ -119,7 +121,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Shown, class Read, class ToNodes, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
-        each_tile_by_colour(store, [&](const tile& t) {
+        each_tile_by_colour(store, [&](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
             const nodes_around<S, Shape, merge_as_is<Read>> around(lattice_, nodes_, t.node);
             const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
@@ -127,8 +129,9 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 gather<no_field>(around, st, g);
                 return g;
             };
-            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
-                                         kernel);
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
+            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
+                                         make, kernel);
         });
     }
 
@@ -160,8 +163,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Sums, class Gradient, class Body, class Kernel> void gather_each(Body& body, Kernel kernel) {
         auto& store = body.store();
         run_.for_each(store.slabs(), [&](std::size_t k) {
-            store.each_tile(k, [&](std::size_t j) {
-                [[maybe_unused]] const bool left = gather_tile<Sums, Gradient>(store, store.tiles[j], kernel);
+            store.each_tile_and_next(k, [&](std::size_t j, const auto* next) {
+                [[maybe_unused]] const bool left = gather_tile<Sums, Gradient>(store, store.tiles[j], next, kernel);
                 if constexpr (Moves)
                     if (left) [[unlikely]]
                         post_leavers(store, lattice_, k, j);
@@ -180,7 +183,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         const std::size_t slabs = store.slabs();
         for (std::size_t colour = 0; colour < 2 && colour < slabs; ++colour)
             run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) {
-                store.each_tile(2 * k + colour, [&](std::size_t j) { f(store.tiles[j]); });
+                store.each_tile_and_next(2 * k + colour,
+                                         [&](std::size_t j, const auto* next) { f(store.tiles[j], next); });
             });
     }
 
@@ -208,13 +212,14 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     template <class Sums, class Gradient, class Store, class Kernel>
-    TAMIS_FLATTEN bool gather_tile(Store& store, const tile& t, Kernel& kernel) {
+    TAMIS_FLATTEN bool gather_tile(Store& store, const tile& t, const typename Store::slot* next, Kernel& kernel) {
         const weigh_type weigh(functions_, lattice_, t);
         const frame<S> at = lattice_.frame_of(t.at);
         const nodes_around<S, Shape, typename with_gradient<Sums, Gradient>::type> around(lattice_, nodes_, t.node);
         bool left = false;
         for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
             auto& slot = store.slots[s];
+            if constexpr (S::dim > 1) store.fetch(next + (s - t.first));
             stencil<S, N> st;
             weigh(st, slot);
             gathered<S, Sums> g;

@@ -60,8 +60,16 @@ template <class S, class Shape, class List> class nodes_around {
             });
         }
     }
+    /// Fields go by their own names here, those that share a column too.
     template <class F> static constexpr int place(int c) {
-        return (values<S, List>::template first<F>() + c) * rows;
+        int components = 0;
+        bool found = false;
+        each_field<List>::run([&](auto tag) {
+            using G = typename decltype(tag)::type;
+            found = found || std::same_as<F, G>;
+            if (!found) components += G::template components<S>;
+        });
+        return (components + c) * rows;
     }
     T value_[values<S, List>::components * rows][N];
 };
@@ -96,15 +104,13 @@ TAMIS_INLINE local_value<typename S::scalar> at_particles(const stencil<S, N>& s
             if constexpr (a == 0) {
                 at.value = axis.w[0] * inner.value;
                 if constexpr (Slope) {
-                    unroll<Axes - 1>(
-                        [&](auto d) TAMIS_INLINE_LAMBDA { at.slope[d] = axis.w[0] * inner.slope[d]; });
+                    unroll<Axes - 1>([&](auto d) TAMIS_INLINE_LAMBDA { at.slope[d] = axis.w[0] * inner.slope[d]; });
                     at.slope[Axes - 1] = axis.dw[0] * inner.value;
                 }
             } else {
                 at.value += axis.w[a] * inner.value;
                 if constexpr (Slope) {
-                    unroll<Axes - 1>(
-                        [&](auto d) TAMIS_INLINE_LAMBDA { at.slope[d] += axis.w[a] * inner.slope[d]; });
+                    unroll<Axes - 1>([&](auto d) TAMIS_INLINE_LAMBDA { at.slope[d] += axis.w[a] * inner.slope[d]; });
                     at.slope[Axes - 1] += axis.dw[a] * inner.value;
                 }
             }
@@ -126,8 +132,7 @@ TAMIS_INLINE void gather(const nodes_around<S, Shape, List>& around, const stenc
         for (int c = 0; c < G::template components<S>; ++c) {
             const auto at = at_particles<D, slope, Shape>(st, around.template values_of<G>(c));
             if constexpr (wants_sum) component<S>(to.sums.template get<G>(), c) = at.value;
-            if constexpr (slope)
-                unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA { to.gradient(c, int(d)) = at.slope[d]; });
+            if constexpr (slope) unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA { to.gradient(c, int(d)) = at.slope[d]; });
         }
     };
     (field(std::type_identity<F>{}, std::true_type{}), ...);

@@ -25,8 +25,8 @@ template <class S, int Nodes, class... F> struct in_groups<S, Nodes, fields<F...
         }
         return group;
     }();
-    template <int G, std::size_t... K> static auto members(std::index_sequence<K...>)
-        -> typename concatenate<fields<>, fields_if<group_of[K] == G, F>...>::type;
+    template <int G, std::size_t... K> static auto members(std::index_sequence<K...>) ->
+        typename concatenate<fields<>, fields_if<group_of[K] == G, F>...>::type;
     template <int G> using group = decltype(members<G>(std::make_index_sequence<sizeof...(F)>{}));
     static constexpr int groups = group_of[static_cast<std::size_t>(count - 1)] + 1;
 };
@@ -90,12 +90,12 @@ TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, 
 
 /// Runs `kernel(p, near, made)`, or `kernel(p, near, made, a)` with the place a of the node in its row, for all slots
 /// of a tile and adds what it put on the nodes. `make(slot, stencil, frame)` gives what is the same for every node of a
-/// slot. Where there is more than one row of nodes, slots' weights are kept while rows go by, and a row is flushed once
-/// per chunk.
-template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Make,
-          class Kernel>
+/// slot. `fetch(k)` asks for slot k of the next tile. Where there is more than one row of nodes, slots' weights are
+/// kept while rows go by, and a row is flushed once per chunk.
+template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Fetch,
+          class Make, class Kernel>
 TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& nodes, Slot* slots, const tile& t,
-                                const frame<S>& at, Weigh& weigh, Make& make, Kernel& kernel) {
+                                const frame<S>& at, Weigh& weigh, Fetch& fetch, Make& make, Kernel& kernel) {
     constexpr int N = Shape::support, rows = tamis::detail::lattice<S, Shape>::rows;
     constexpr int pivot = rows > 1 ? pivot_of<Shape> : -1;
     Slot* slot = slots + t.first;
@@ -136,6 +136,7 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
             using made_type = decltype(make(*slot, st[0], at));
             made_type made[chunk];
             for (int s = 0; s < n; ++s) {
+                fetch(done + static_cast<std::uint32_t>(s));
                 weigh(st[s], slot[s]);
                 // In place: copies would go through memory in smaller pieces.
                 new (&made[s]) made_type(make(slot[s], st[s], at));
