@@ -6,14 +6,25 @@
 #include "ratios.hpp"
 
 int main(int argc, char** argv) {
-    constexpr int n = 32, width = tamis::space<3, tamis::native_lanes::type<double>>::width;
-    using block = by_hand::block_3d<double, width>;
+    using namespace tamis;
+    constexpr int n = 32;
     ratio_run run;
-    run.add("3D/by hand/quadratic/flip", "", [=] { return hand_stepped<block>{std::make_unique<block>(n)}; });
-    add_steps<3>(run, n, "3D", "3D/by hand/quadratic/flip");
+    const auto by_hand_of = [&](auto number, const std::string& name, int cells) {
+        using real = decltype(number);
+        using block = by_hand::block_3d<real, space<3, native_lanes::type<real>>::width>;
+        run.add(name, "", [=] { return hand_stepped<block>{std::make_unique<block>(cells)}; });
+    };
+    const std::string by_hand = "3D/by hand/quadratic/flip";
+    by_hand_of(double(), by_hand, n);
+    add_steps<3>(run, n, "3D", by_hand);
+    run.add("3D/quadratic/flip/neo-Hookean", "3D/quadratic/flip",
+            [] { return elastic_block<3, double, neo_hookean>(n, quadratic_spline{}, flip{}); });
     // Two million particles: beyond the caches.
-    run.add("3D/by hand/quadratic/flip/64 cells", "", [] { return hand_stepped<block>{std::make_unique<block>(64)}; });
-    run.add("3D/quadratic/flip/64 cells", "3D/by hand/quadratic/flip/64 cells",
-            [] { return elastic_block<3, double>(64, tamis::quadratic_spline{}, tamis::flip{}); });
+    by_hand_of(double(), by_hand + "/64 cells", 64);
+    run.add("3D/quadratic/flip/64 cells", by_hand + "/64 cells",
+            [] { return elastic_block<3, double>(64, quadratic_spline{}, flip{}); });
+    by_hand_of(float(), by_hand + "/64 cells, float", 64);
+    run.add("3D/quadratic/flip/64 cells, float", by_hand + "/64 cells, float",
+            [] { return elastic_block<3, float>(64, quadratic_spline{}, flip{}); });
     return run.run(argc, argv);
 }

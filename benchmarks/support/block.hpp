@@ -5,7 +5,7 @@
 #include <memory>
 #include <tuple>
 
-/// An elastic block of n^Dim cells with 2^Dim particles each, free in a box with room to spare, as in the step by hand.
+/// A block of n^Dim cells with 2^Dim particles each, free in a box with room to spare, as in the step by hand.
 template <class Solver, class Body> struct stepped {
     std::unique_ptr<Solver> mpm;
     std::unique_ptr<Body> body;
@@ -14,10 +14,11 @@ template <class Solver, class Body> struct stepped {
     std::size_t particles() const { return body->size(); }
 };
 
-template <int Dim, class Real, class... Policies> auto elastic_block(int n, Policies... policies) {
+template <int Dim, class Real, class Law = tamis::linear_elastic, class... Policies>
+auto elastic_block(int n, Policies... policies) {
     using namespace tamis;
     using namespace tamis::symbols;
-    const linear_elastic law{.young = 1e6, .poisson = Dim == 1 ? 0.0 : 0.3, .density = 1000};
+    const Law law{.young = 1e6, .poisson = Dim == 1 ? 0.0 : 0.3, .density = 1000};
     const Real h = Real(1) / Real(n);
     Real lower[Dim], upper[Dim];
     for (int d = 0; d < Dim; ++d) {

@@ -147,15 +147,14 @@ class held_nodes {
     }
     template <class Increment, class Nodes> void start_columns(const Nodes& nodes, int batch) {
         each([&](entry& e) {
-            if (e.row >= 0 && e.row / D == batch)
-                nodes.template column<Increment>(e.row % D)[e.place] = real(1) / e.mass;
+            if (e.row >= 0 && e.row / D == batch) nodes.template at<Increment>(e.place, e.row % D) = real(1) / e.mass;
         });
     }
     /// ... then, term by term, what the series adds.
     template <class Increment, class Nodes> void add_columns(const Nodes& nodes, int batch) {
         each([&](entry& e) {
             for (int d = 0; d < D && e.row >= 0 && batch * D + d < inverse_.rows(); ++d)
-                inverse_.add(e.row, batch * D + d, nodes.template column<Increment>(d)[e.place]);
+                inverse_.add(e.row, batch * D + d, nodes.template at<Increment>(e.place, d));
         });
     }
 
@@ -242,7 +241,7 @@ class held_nodes {
         for (const std::uint32_t k : active_) f(entries_[k]);
     }
     template <class Mass, class Nodes> static void take_mass(const Nodes& nodes, entry& e) {
-        e.mass = nodes.template column<Mass>()[e.place];
+        e.mass = nodes.template at<Mass>(e.place);
         if (!(e.mass > real(0)) || e.mass < least_mass<real>()) e.mass = real(0);
     }
     /// Held components of the momentum take their values: the change.

@@ -252,14 +252,14 @@ class taylor_galerkin {
             f(node);
         });
     }
-    real inverse_mass(std::size_t place) const { return sweeps_.nodes().template column<field::inverse_mass>()[place]; }
+    real inverse_mass(std::size_t place) const { return sweeps_.nodes().template at<field::inverse_mass>(place); }
     template <class F> state_type get(std::size_t place) const {
         state_type u;
-        for (int c = 0; c < count; ++c) u[c] = sweeps_.nodes().template column<F>(c)[place];
+        for (int c = 0; c < count; ++c) u[c] = sweeps_.nodes().template at<F>(place, c);
         return u;
     }
     template <class F> void put(std::size_t place, const state_type& u) {
-        for (int c = 0; c < count; ++c) sweeps_.nodes().template column<F>(c)[place] = u[c];
+        for (int c = 0; c < count; ++c) sweeps_.nodes().template at<F>(place, c) = u[c];
     }
 
     void activate_nodes() {
@@ -307,7 +307,7 @@ class taylor_galerkin {
             for (std::size_t j = 0; j < w.places.size(); ++j) {
                 inside += w.weights[j] * get<unknowns>(w.places[j]);
                 for (int c = 0; c < count; ++c)
-                    inside[c] -= half * w.slopes[j] * sweeps_.nodes().template column<fluxes>(c)[w.places[j]];
+                    inside[c] -= half * w.slopes[j] * sweeps_.nodes().template at<fluxes>(w.places[j], c);
             }
             state_type in = law_.flux(state_at(k, inside, t), 0);
             if (k == 1) in = -in;

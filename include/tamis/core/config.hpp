@@ -31,6 +31,21 @@
 #define TAMIS_FLATTEN
 #endif
 
+// A loop that is neither unrolled nor peeled.
+#if defined(__clang__)
+#define TAMIS_KEEP_LOOP _Pragma("clang loop unroll(disable)")
+#elif defined(__GNUC__)
+#define TAMIS_KEEP_LOOP _Pragma("GCC unroll 1")
+#else
+#define TAMIS_KEEP_LOOP
+#endif
+// Vector registers of the target: how many sums are kept at once.
+#if defined(__AVX512F__) || defined(__aarch64__) || defined(__VSX__)
+#define TAMIS_VECTOR_REGISTERS 32
+#else
+#define TAMIS_VECTOR_REGISTERS 16
+#endif
+
 // Vector lanes come from xsimd when it is there; -DTAMIS_XSIMD=0 leaves it out.
 #ifndef TAMIS_XSIMD
 #if __has_include(<xsimd/xsimd.hpp>)

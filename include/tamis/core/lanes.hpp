@@ -65,6 +65,12 @@ template <class Real, class Arch> struct lane<xsimd::batch<Real, Arch>> {
             a, [](int l) { return l < K ? width - K + l : width; }, zero_last{});
     }
 
+    /// W lanes from the K-th of `low` on, the last ones from `high`.
+    template <int K> TAMIS_INLINE static T slide(const T& low, const T& high) {
+        return slide_by<K>(__builtin_bit_cast(raw, low), __builtin_bit_cast(raw, high),
+                           std::make_integer_sequence<int, width>{});
+    }
+
   private:
     typedef Real raw __attribute__((vector_size(sizeof(T))));
     static_assert(sizeof(raw) == sizeof(Real) * static_cast<unsigned>(width));
@@ -72,6 +78,9 @@ template <class Real, class Arch> struct lane<xsimd::batch<Real, Arch>> {
     struct zero_last {};
     template <class Place, class Order> TAMIS_INLINE static T shuffle(const T& a, Place, Order) {
         return place<Place>(__builtin_bit_cast(raw, a), Order{}, std::make_integer_sequence<int, width>{});
+    }
+    template <int K, int... L> TAMIS_INLINE static T slide_by(raw low, raw high, std::integer_sequence<int, L...>) {
+        return __builtin_bit_cast(T, __builtin_shufflevector(low, high, (K + L)...));
     }
     template <class Place, int... L> TAMIS_INLINE static T place(raw a, zero_first, std::integer_sequence<int, L...>) {
         return __builtin_bit_cast(T, __builtin_shufflevector(raw{}, a, Place{}(L)...));

@@ -8,7 +8,8 @@ namespace tamis {
 
 namespace detail {
 
-/// Place of component (d, e) of a symmetric tensor in its upper half: diagonal first.
+/// Place of component (d, e) of a symmetric tensor in its upper half: diagonal first. For constants: clang would keep
+/// the recursion as a loop.
 constexpr int packed(int dim, int d, int e) {
     return d == e ? d : d > e ? packed(dim, e, d) : dim == 2 ? 2 : dim + d + e - 1;
 }
@@ -16,16 +17,16 @@ constexpr int packed(int dim, int d, int e) {
 template <class S> TAMIS_INLINE typename S::tensor unpack(const symmetric_field::value<S>& half) {
     typename S::tensor full;
     unroll<S::dim * S::dim>([&](auto k) TAMIS_INLINE_LAMBDA {
-        constexpr int d = k / S::dim, e = k % S::dim;
-        full(d, e) = half[packed(S::dim, d, e)];
+        constexpr int d = k / S::dim, e = k % S::dim, place = packed(S::dim, d, e);
+        full(d, e) = half[place];
     });
     return full;
 }
 
 template <class S, class Tensor> TAMIS_INLINE void pack(symmetric_field::value<S>& half, const Tensor& full) {
     unroll<S::dim * S::dim>([&](auto k) TAMIS_INLINE_LAMBDA {
-        constexpr int d = k / S::dim, e = k % S::dim;
-        if constexpr (d <= e) half[packed(S::dim, d, e)] = full(d, e);
+        constexpr int d = k / S::dim, e = k % S::dim, place = packed(S::dim, d, e);
+        if constexpr (d <= e) half[place] = full(d, e);
     });
 }
 

@@ -11,41 +11,77 @@
 
 namespace tamis::detail {
 
-/// Node fields in columns, one per component, and which blocks of W nodes are in use.
+/// Node fields, and which blocks of W nodes are in use. In 1D they lie in columns, one per component. Beyond, all
+/// components of a block lie side by side: a tile reaches many rows of nodes, and each row would else take as many
+/// pages of memory as there are components.
 template <class S, class List> class node_table {
   public:
     using real = typename S::real;
     using row = values<S, List>;
     static constexpr int components = row::components;
+    static constexpr bool in_columns = S::dim == 1;
 
     /// Memory is taken for nodes in use only. Throws `error` if there are too many nodes for it.
     explicit node_table(std::size_t places)
         // Not a power of two: columns stay out of each other's cache sets.
-        : stride_((places + 63) / 64 * 64 + 80), data_(allocate(places, stride_)) {}
+        : places_(places), stride_((places + 63) / 64 * 64 + 80), data_(allocate(places, stride_)) {}
 
-    /// Where the columns are. A copy of it stays in registers: no store to a column can change it.
+    /// Where the numbers are. A copy of it stays in registers: no store to a node can change it.
     struct columns_type {
         real* first;
         std::size_t stride;
         template <class F> TAMIS_INLINE real* column(int c = 0) const {
+            static_assert(in_columns);
             return first + static_cast<std::size_t>(row::template first<F>() + c) * stride;
+        }
+        template <class F> TAMIS_INLINE real* block(std::size_t place, int c = 0) const {
+            if constexpr (in_columns)
+                return column<F>(c) + place;
+            else
+                return first + place * static_cast<std::size_t>(components) +
+                       static_cast<std::size_t>((row::template first<F>() + c) * S::width);
         }
     };
     TAMIS_INLINE columns_type columns() const { return {first_, stride_}; }
-    /// Component c of field F, over all places.
+    /// Component c of field F, over all places, in 1D.
     template <class F> TAMIS_INLINE real* column(int c = 0) const { return columns().template column<F>(c); }
+    /// Component c of field F at W places, the first a multiple of W.
+    template <class F> TAMIS_INLINE real* block(std::size_t place, int c = 0) const {
+        return columns().template block<F>(place, c);
+    }
+    /// ... at one place.
+    template <class F> TAMIS_INLINE real& at(std::size_t place, int c = 0) const {
+        constexpr auto W = static_cast<std::size_t>(S::width);
+        return block<F>(place / W * W, c)[place % W];
+    }
+    /// f(values of component c of F over all places, which it may change where nodes are in use).
+    template <class F, class Change> void with_column(int c, Change f) {
+        if constexpr (in_columns)
+            f(column<F>(c));
+        else {
+            constexpr auto W = static_cast<std::size_t>(S::width);
+            zeros<real> all(places_);
+            for (const std::uint32_t b : active_) std::copy_n(block<F>(b * W, c), W, all.data() + b * W);
+            f(all.data());
+            for (const std::uint32_t b : active_) std::copy_n(all.data() + b * W, W, block<F>(b * W, c));
+        }
+    }
     /// A vector field at one place.
     template <class F> TAMIS_INLINE point<S::dim, real> get(std::size_t place) const {
         point<S::dim, real> value;
-        for (int d = 0; d < S::dim; ++d) value[d] = column<F>(d)[place];
+        for (int d = 0; d < S::dim; ++d) value[d] = at<F>(place, d);
         return value;
     }
     template <class F> TAMIS_INLINE void put(std::size_t place, const point<S::dim, real>& value) const {
-        for (int d = 0; d < S::dim; ++d) column<F>(d)[place] = value[d];
+        for (int d = 0; d < S::dim; ++d) at<F>(place, d) = value[d];
     }
-    template <class F> void set_zero() {
-        for (int c = 0; c < std::remove_const_t<F>::template components<S>; ++c)
-            for (const auto& r : runs_) std::fill_n(column<F>(c) + r.first, r.count, real(0));
+    template <class... F> void set_zero() {
+        constexpr auto W = static_cast<std::size_t>(S::width);
+        if constexpr (in_columns)
+            (clear_columns<F>(), ...);
+        else
+            for (const std::uint32_t b : active_)
+                (std::fill_n(block<F>(b * W), W * static_cast<std::size_t>(F::template components<S>), real(0)), ...);
     }
 
     /// Blocks of W places that particles reach, each once, ascending.
@@ -58,11 +94,16 @@ template <class S, class List> class node_table {
         for (const std::uint32_t b : active_) {
             while (k < blocks.size() && blocks[k] < b) ++k;
             if (k < blocks.size() && blocks[k] == b) continue;
-            for (int c = 0; c < components; ++c)
-                std::fill_n(first_ + static_cast<std::size_t>(c) * stride_ + b * W, W, real(0));
+            if constexpr (in_columns)
+                for (int c = 0; c < components; ++c)
+                    std::fill_n(first_ + static_cast<std::size_t>(c) * stride_ + b * W, W, real(0));
+            else
+                std::fill_n(first_ + b * W * static_cast<std::size_t>(components),
+                            W * static_cast<std::size_t>(components), real(0));
         }
         active_ = std::move(blocks);
         runs_.clear();
+        if constexpr (!in_columns) return;
         for (const std::uint32_t b : active_) {
             const std::size_t first = b * W;
             if (!runs_.empty() && runs_.back().first + runs_.back().count == first)
@@ -76,6 +117,10 @@ template <class S, class List> class node_table {
     struct run {
         std::size_t first, count;
     };
+    template <class F> void clear_columns() {
+        for (int c = 0; c < F::template components<S>; ++c)
+            for (const auto& r : runs_) std::fill_n(column<F>(c) + r.first, r.count, real(0));
+    }
     static zeros<real> allocate(std::size_t places, std::size_t stride) {
         try {
             // Blocks of places have 32-bit numbers.
@@ -94,9 +139,9 @@ template <class S, class List> class node_table {
                                  sizeof(real) * static_cast<std::size_t>(components),
                                  " bytes each, which this machine has not; take fewer cells"));
     }
-    /// Zeros before the first column, as there are after each: neighbours of a column's ends may be read.
+    /// Zeros before the first place, as there are after the last: neighbours of a column's ends may be read.
     static constexpr std::size_t margin = 64;
-    std::size_t stride_;
+    std::size_t places_, stride_;
     zeros<real> data_;
     real* first_ = data_.data() + margin;
     std::vector<std::uint32_t> active_;

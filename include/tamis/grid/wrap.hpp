@@ -30,10 +30,10 @@ void wrap(const lattice<S, Shape>& lattice, const Nodes& nodes, fields<F...>) {
         const auto one = [&](auto tag) {
             using G = typename decltype(tag)::type;
             for (int c = 0; c < G::template components<S>; ++c) {
-                auto* const column = nodes.template column<G>(c);
                 each_image(lattice, axis, [&](std::size_t place, std::size_t image) {
-                    column[place] += column[image];
-                    column[image] = column[place];
+                    auto& sum = nodes.template at<G>(place, c);
+                    sum += nodes.template at<G>(image, c);
+                    nodes.template at<G>(image, c) = sum;
                 });
             }
         };

@@ -15,6 +15,10 @@ struct carried : scalar_field {
 struct carried_volume : scalar_field {
     static constexpr std::string_view name = "carried_volume";
 };
+/// That mean times the node's velocity.
+struct carried_flow : vector_field {
+    static constexpr std::string_view name = "carried_flow";
+};
 
 /// Does a body need the slope of what its law carries? Particles that are held do, as the flow goes past them; moving
 /// ones where the law says `carries_when_moving`.
@@ -28,7 +32,7 @@ inline constexpr bool needs_flow<Law, Shape, List> = contains<List, held_weights
 /// Scratch of a body for that, made when it is first needed. A copy of the body makes its own.
 template <class S, bool Needed> struct carried_nodes {};
 template <class S> struct carried_nodes<S, true> {
-    using table_type = node_table<S, fields<carried, carried_volume>>;
+    using table_type = node_table<S, fields<carried, carried_volume, carried_flow>>;
     std::unique_ptr<table_type> table;
 
     carried_nodes() = default;

@@ -54,6 +54,32 @@ template <class S, class List> class tile_store {
     real* lane_of(std::uint32_t s, int l) { return reinterpret_cast<real*>(&slots[s]) + l; }
     const real* lane_of(std::uint32_t s, int l) const { return reinterpret_cast<const real*>(&slots[s]) + l; }
 
+    /// Makes the tiles and slots of an empty store for particles in the cells that each_cell(f) gives to f, so that
+    /// adding them moves nothing: large bodies would else be copied, and take their memory many times over.
+    template <class Lattice, class EachCell> void prepare(const Lattice& lattice, const EachCell& each_cell) {
+        std::vector<std::array<std::uint32_t, static_cast<std::size_t>(W)>> in_lane;
+        each_cell([&](const std::array<int, 3>& cell) {
+            const auto t = static_cast<std::size_t>(tile_at(lattice, cell));
+            if (t == in_lane.size()) in_lane.emplace_back();
+            ++in_lane[t][static_cast<std::size_t>(cell[0] % W)];
+        });
+        for (std::size_t t = 0; t < tiles.size(); ++t)
+            tiles[t].room = *std::max_element(in_lane[t].begin(), in_lane[t].end());
+        std::sort(tiles.begin(), tiles.end(), [](const tile& a, const tile& b) { return a.node < b.node; });
+        std::size_t needed = 0;
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            tiles[t].first = static_cast<std::uint32_t>(needed);
+            needed += tiles[t].room;
+            tile_of_block_[lattice.block_place(tiles[t].at)] = static_cast<int>(t + 1);
+        }
+        slots.resize(needed);
+        for (slot& s : slots) s.set_zero();
+        occupied.assign(needed, 0);
+        sorted_ = tiles.size();
+        tidied_ = slots.size();
+        arranged_ = false;
+        layout.renew();
+    }
     /// A new particle in a cell, all its fields zero: its slot. The lane is the cell's.
     template <class Lattice> std::uint32_t add(const Lattice& lattice, const std::array<int, 3>& cell) {
         tile& t = tiles[static_cast<std::size_t>(tile_at(lattice, cell))];
@@ -220,6 +246,22 @@ template <class S, class List> class tile_store {
     }
     /// Storage place of the first node that slab k reaches.
     std::size_t first_place(std::size_t k) const { return tiles[order_[slabs_[k]]].node; }
+    /// Asks for a slot that will be needed soon: after particles have crossed cells, tiles that follow one another do
+    /// not lie one after the other, and processors do not guess where the next one is.
+    TAMIS_INLINE void fetch(const slot* s) const {
+#if defined(__GNUC__)
+        constexpr std::size_t line = 64;
+        for (std::size_t at = 0; at < sizeof(slot); at += line)
+            __builtin_prefetch(reinterpret_cast<const char*>(s) + at, 1);
+#endif
+    }
+    /// Runs f(tile index, first slot of the next tile) over the tiles of slab k, in the order of their nodes.
+    template <class F> TAMIS_INLINE void each_tile_and_next(std::size_t k, F&& f) const {
+        for (std::uint32_t j = slabs_[k]; j < slabs_[k + 1]; ++j) {
+            const std::uint32_t next = order_[j + 1 < slabs_[k + 1] ? j + 1 : j];
+            f(order_[j], slots.data() + tiles[next].first);
+        }
+    }
     /// Runs f(tile index) over the tiles of slab k, in the order of their nodes.
     template <class F> TAMIS_INLINE void each_tile(std::size_t k, F&& f) const {
         for (std::uint32_t j = slabs_[k]; j < slabs_[k + 1]; ++j) f(order_[j]);

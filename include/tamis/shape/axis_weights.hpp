@@ -45,6 +45,14 @@ template <class Shape> TAMIS_INLINE const auto& functions_of_place(const Shape& 
         return shape;
 }
 
+/// The node whose weight is 1 less all others' and never small, where a shape says so (`pivot`); else -1. Sums then do
+/// without it: S u = u_pivot + sum w_i (u_i - u_pivot), and a particle gives the pivot what it gives to all nodes less
+/// what it gives to the others. A small weight must not be a pivot: its round-off is that of the sum.
+template <class Shape> inline constexpr int pivot_of = -1;
+template <class Shape>
+requires requires { Shape::pivot; }
+inline constexpr int pivot_of<Shape> = Shape::pivot;
+
 /// Shapes whose slopes do not depend on the place in the cell need not store them.
 template <class Shape> inline constexpr bool constant_slope = requires { requires Shape::constant_slope; };
 

@@ -10,6 +10,7 @@ struct quadratic_spline {
     static constexpr std::string_view name = "quadratic";
     static constexpr int support = 3;
     static constexpr double shift = 0.5;
+    static constexpr int pivot = 1;  // at least 1/2, at walls too
     template <class T> TAMIS_INLINE axis_weights<T, 3> on_axis(const T& r) const {
         const T s = T(1) - r, f = r - T(0.5);
         return {{T(0.5) * s * s, T(0.75) - f * f, T(0.5) * r * r}, {-s, -(f + f), r}};

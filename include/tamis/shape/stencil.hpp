@@ -7,6 +7,25 @@ namespace tamis::detail {
 /// Which lanes of a tile lie in a cell at the lower or the upper wall, as 1 and 0, per axis.
 template <class S> struct wall_lanes { typename S::scalar low[S::dim], high[S::dim]; };
 
+/// A tensor times the slope of a weight, multiplied out where it is added to something. Lives as long as its factors.
+template <class S, class Tensor, class Slope> struct tensor_on_slope {
+    const Tensor& t;
+    const Slope& g;
+
+    TAMIS_INLINE operator typename S::vector() const {
+        typename S::vector all = S::vector::Constant(typename S::scalar(typename S::real(0)));
+        all += *this;
+        return all;
+    }
+
+    TAMIS_INLINE friend void operator+=(typename S::vector& to, const tensor_on_slope& product) {
+        product.g.multiply(product.t, to, [](auto& sum, const auto&... a) TAMIS_INLINE_LAMBDA { sum += (a * ...); });
+    }
+    TAMIS_INLINE friend void operator-=(typename S::vector& to, const tensor_on_slope& product) {
+        product.g.multiply(product.t, to, [](auto& sum, const auto&... a) TAMIS_INLINE_LAMBDA { sum -= (a * ...); });
+    }
+};
+
 /// Slope of a weight that is a product over the axes. Times a tensor, it keeps what is the same along a row of nodes
 /// apart, so that it is computed once a row.
 template <class S> struct slope_of {
@@ -29,18 +48,55 @@ template <class S> struct slope_of {
         return g[d];
     }
     template <class Tensor>
-    friend TAMIS_INLINE typename S::vector operator*(const Eigen::MatrixBase<Tensor>& t, const slope_of& g) {
-        typename S::vector product;
+    friend TAMIS_INLINE tensor_on_slope<S, Tensor, slope_of> operator*(const Eigen::MatrixBase<Tensor>& t,
+                                                                       const slope_of& g) {
+        return {t.derived(), g};
+    }
+    /// to += sign t g, components in two fused operations.
+    template <class Tensor, class Fused>
+    TAMIS_INLINE void multiply(const Tensor& t, typename S::vector& to, Fused add) const {
         unroll<S::dim>([&](auto index) TAMIS_INLINE_LAMBDA {
             constexpr int c = index;
             if constexpr (S::dim == 1)
-                product[c] = t(c, 0) * g.dx;
-            else if constexpr (S::dim == 2)
-                product[c] = (t(c, 0) * g.w) * g.dx + (t(c, 1) * g.d1) * g.wx;
-            else
-                product[c] = (t(c, 0) * g.w) * g.dx + (t(c, 1) * g.d1 + t(c, 2) * g.d2) * g.wx;
+                add(to[c], t(c, 0), dx);
+            else {
+                add(to[c], T(t(c, 0) * w), dx);
+                if constexpr (S::dim == 2)
+                    add(to[c], T(t(c, 1) * d1), wx);
+                else
+                    add(to[c], T(t(c, 1) * d1 + t(c, 2) * d2), wx);
+            }
         });
-        return product;
+    }
+};
+
+/// As slope_of, of the sum of all weights of a row, which does not change along x.
+template <class S> struct slope_of_row {
+    using T = typename S::scalar;
+    T d1, d2;
+
+    TAMIS_INLINE operator typename S::vector() const {
+        typename S::vector g;
+        g[0] = T(typename S::real(0));
+        if constexpr (S::dim > 1) g[1] = d1;
+        if constexpr (S::dim == 3) g[2] = d2;
+        return g;
+    }
+    template <class Tensor>
+    friend TAMIS_INLINE tensor_on_slope<S, Tensor, slope_of_row> operator*(const Eigen::MatrixBase<Tensor>& t,
+                                                                           const slope_of_row& g) {
+        return {t.derived(), g};
+    }
+    template <class Tensor, class Fused>
+    TAMIS_INLINE void multiply(const Tensor& t, typename S::vector& to, Fused add) const {
+        static_assert(S::dim > 1);
+        unroll<S::dim>([&](auto index) TAMIS_INLINE_LAMBDA {
+            constexpr int c = index;
+            if constexpr (S::dim == 2)
+                add(to[c], T(t(c, 1) * d1));
+            else  // as for the nodes of the row: compilers make it once
+                add(to[c], T(t(c, 1) * d1 + t(c, 2) * d2));
+        });
     }
 };
 
@@ -55,11 +111,17 @@ template <class S, int N> struct stencil {
                                                                     const T& inverse_spacing,
                                                                     const Particle&... particle) {
         unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
-            if constexpr (sizeof...(Particle) > 0)
-                axis[d] = shape.on_axis(local[int(d)], particle..., int(d));
-            else
-                axis[d] = shape.on_axis(local[int(d)]);
-            unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA { axis[d].dw[k] *= inverse_spacing; });
+            const axis_weights<T, N> from = [&]() TAMIS_INLINE_LAMBDA {
+                if constexpr (sizeof...(Particle) > 0)
+                    return shape.on_axis(local[int(d)], particle..., int(d));
+                else
+                    return shape.on_axis(local[int(d)]);
+            }();
+            // One by one: GCC would copy the struct by a call.
+            unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
+                axis[d].w[k] = from.w[k];
+                axis[d].dw[k] = from.dw[k] * inverse_spacing;
+            });
         });
     }
 

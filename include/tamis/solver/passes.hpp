@@ -48,8 +48,8 @@ template <class Solver, class... Body> struct passes {
     }
     /// The same with the kernel's own list.
     template <class Kernel> void nodes(Kernel kernel) { nodes(typename Kernel::list{}, kernel); }
-    template <class F> void set_zero() {
-        mpm.each_field([](auto& field) { field.sweeps.nodes().template set_zero<F>(); });
+    template <class... F> void set_zero() {
+        mpm.each_field([](auto& field) { field.sweeps.nodes().template set_zero<F...>(); });
     }
 
     // Momentum, force and velocity, with what conditions and contact do to them.
@@ -182,7 +182,8 @@ template <class Solver, class... Body> struct passes {
     }
     template <class Field, class F> void each_column(Field, F f) {
         mpm.each_field([&](auto& field) {
-            for (int c = 0; c < Field::template components<S>; ++c) f(field.sweeps.nodes().template column<Field>(c));
+            for (int c = 0; c < Field::template components<S>; ++c)
+                field.sweeps.nodes().template with_column<Field>(c, f);
         });
     }
 
@@ -222,13 +223,12 @@ template <class Solver, class... Body> struct passes {
     /// sum A^l m^-1 of the unit vector of the node at a place, per place.
     std::vector<real> inverse_column(std::size_t at) {
         auto& table = mpm.field_.sweeps.nodes();
-        real* const column = table.template column<field::increment>();
         std::vector<real> sum(mpm.lattice_.size(), real(0));
         set_zero<field::increment>();
-        column[at] = table.template column<field::inverse_mass>()[at];
+        table.template at<field::increment>(at) = table.template at<field::inverse_mass>(at);
         wrap(fields<field::increment>{});
         mpm.transfer_.mass.each_term(*this, [&] {
-            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += column[k];
+            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += table.template at<field::increment>(k);
         });
         return sum;
     }
@@ -282,18 +282,20 @@ template <class Solver, class... Body> struct passes {
                 own = std::make_unique<typename std::remove_reference_t<decltype(own)>::element_type>(
                     mpm.lattice_.size());
             if (own->active() != sweeps.nodes().active()) own->set_active(sweeps.nodes().active());
-            own->template set_zero<carried>();
-            own->template set_zero<carried_volume>();
+            own->template set_zero<carried, carried_volume>();
             sweeps.template scatter_onto<fields<>, fields<carried, carried_volume>>(*own, b,
                                                                                     carried_to_nodes<carries>{});
             using L = lane<T>;
-            real* const mean = own->template column<carried>();
-            const real* const volume = own->template column<carried_volume>();
             for (const std::uint32_t block : own->active()) {
                 const std::size_t place = block * static_cast<std::size_t>(S::width);
-                L::store(mean + place, L::load(mean + place) * inverse_or_zero(L::load(volume + place)));
+                real* const mean = own->template block<carried>(place);
+                const T c = L::load(mean) * inverse_or_zero(L::load(own->template block<carried_volume>(place)));
+                L::store(mean, c);
+                for (int d = 0; d < S::dim; ++d)
+                    L::store(own->template block<carried_flow>(place, d),
+                             c * L::load(sweeps.nodes().template block<Velocity>(place, d)));
             }
-            return look_at_flow<S, Velocity>{*own};
+            return look_at_flow<S, typename C::shape, Velocity>{*own};
         }
     }
 
@@ -335,7 +337,7 @@ template <class Solver, class... Body> struct passes {
         using touch = typename C::touch;
         const auto fields_of = tables();
         mpm.contact_.find(fields_of, [&](std::size_t k, std::size_t at) -> real {
-            const real m = fields_of[k]->template column<field::mass>()[at];
+            const real m = fields_of[k]->template at<field::mass>(at);
             if constexpr (C::moves) return m;
             return m > real(0) ? real(1) / m : real(0);
         });

@@ -41,6 +41,19 @@ template <class L> void check_law(const L& law) {
     }
 }
 
+/// Cell of the grid that a particle's point is in, and the place in it.
+template <class Body> std::array<int, 3> cell_of_particle(const Body& body,
+                                                          const point<Body::dim, typename Body::real>& where,
+                                                          point<Body::dim, typename Body::real>& local) {
+    const auto& lattice = body.lattice();
+    std::array<int, 3> cell;
+    if (!lattice.locate(where, cell, local))
+        throw error(sentence("make_body: the particle at (", list_of(where), ") is outside the grid, (",
+                             list_of(lattice.grid().lower()), ") to (", list_of(lattice.grid().upper()),
+                             "); enlarge the grid or leave it out"));
+    return cell;
+}
+
 /// Puts a particle at a point of the grid: its slot and lane.
 template <bool Moves, class Body, class Shape>
 void add_particle(Body& body, const Shape& functions, const point<Body::dim, typename Body::real>& where,
@@ -49,12 +62,8 @@ void add_particle(Body& body, const Shape& functions, const point<Body::dim, typ
     using slot = typename Body::store_type::slot;
     constexpr int D = Body::dim, W = Body::space_type::width;
     const auto& lattice = body.lattice();
-    std::array<int, 3> cell;
     point<D, real> local;
-    if (!lattice.locate(where, cell, local))
-        throw error(sentence("make_body: the particle at (", list_of(where), ") is outside the grid, (",
-                             list_of(lattice.grid().lower()), ") to (", list_of(lattice.grid().upper()),
-                             "); enlarge the grid or leave it out"));
+    const std::array<int, 3> cell = cell_of_particle(body, where, local);
     auto& store = body.store();
     const std::uint32_t s = store.add(lattice, cell);
     real* p = store.lane_of(s, cell[0] % W);
@@ -86,8 +95,11 @@ void add_particles(Body& body, const Shape& functions, const std::vector<point<B
     if (points.empty()) throw error("make_body: the body has no particle; give at least one point");
     if (!(volume > real(0) && volume - volume == real(0)))
         throw error(sentence("make_body: the particles' volume is ", volume, "; give a positive, finite number"));
+    body.store().prepare(body.lattice(), [&](const auto& f) {
+        point<Body::dim, real> local;
+        for (const auto& where : points) f(cell_of_particle(body, where, local));
+    });
     for (const auto& where : points) add_particle<Moves>(body, functions, where, volume, real(body.law.density));
-    body.store().sort(body.lattice(), 0);
     if constexpr (requires(typename Body::template iterator<false> p) { body.law.start(*p); })
         for (auto p : body) body.law.start(p);
 }

@@ -176,11 +176,9 @@ template <class Grid, class... Policies> class solver {
 
         using sums = typename C::sums;
         const bool made = sums_are_made(all);
-        if (!made) {
-            if constexpr (C::moves) now.template set_zero<typename sums::mass>();
-            now.template set_zero<typename sums::momentum>();
-        }
         if constexpr (order::before > 0) {
+            if constexpr (C::moves) now.template set_zero<field::mass>();
+            now.template set_zero<field::momentum>();
             now.template extrapolate<true, false>();
             now.start(held_start);
             now.velocity_of_momentum();
@@ -192,7 +190,10 @@ template <class Grid, class... Policies> class solver {
             now.template accelerate<false>();
         } else {
             if (!made) {
-                now.template set_zero<typename sums::force>();
+                if constexpr (C::moves)
+                    now.template set_zero<typename sums::mass, typename sums::momentum, typename sums::force>();
+                else
+                    now.template set_zero<typename sums::momentum, typename sums::force>();
                 now.template extrapolate<true, true>();
             }
             now.start(held_start);

@@ -72,13 +72,14 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     void scatter_onto(Table& table, Body& body, Kernel kernel) {
         auto& store = body.store();
         const bool mail = store.has_mail();
-        each_tile_by_colour(store, [&](tile& t) {
+        each_tile_by_colour(store, [&](tile& t, const auto* next) {
             if (mail) store.deliver(t);
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto& slot, const auto&, const auto& at)
                                   TAMIS_INLINE_LAMBDA { return kernel.make(slot, at); };
-            scatter_tile<Shown, ToNodes>(lattice_, table, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
-                                         kernel);
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
+            scatter_tile<Shown, ToNodes>(lattice_, table, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
+                                         make, kernel);
         });
         if (mail) store.mail_delivered();
     }
@@ -87,15 +88,16 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter_weights(Body& body, Kernel kernel) {
         static_assert(S::dim == 1);
         auto& store = body.store();
-        each_tile_by_colour(store, [&](const tile& t) {
+        each_tile_by_colour(store, [&](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
                 std::array<T, static_cast<std::size_t>(N)> weights;
                 unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { weights[a] = st.weight(a, st.row(0)); });
                 return weights;
             };
-            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
-                                         kernel);
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
+            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
+                                         make, kernel);
         });
     }
     /// To = B From in 1D, B a symmetric matrix whose rows' diagonal and upper entries are the components of `Bands`.
@@ -126,21 +128,23 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Shown, class Read, class ToNodes, class Gradient = no_field, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
-        each_tile_by_colour(store, [&](const tile& t) {
+        each_tile_by_colour(store, [&](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
+            const nodes_around<S, Shape, typename with_gradient<Read, Gradient>::type> around(lattice_, nodes_, t.node);
             const auto make = [&](const auto& slot, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
                 if constexpr (std::same_as<Gradient, no_field>) {
-                    gathered<S, Read> g;
-                    gather<no_field>(lattice_, nodes_, st, t.node, g);
+                    gathered<S, Read, 0> g;
+                    gather<no_field>(around, st, g);
                     return g;
                 } else {
                     gathered<S, Read, Gradient::template components<S>> g;
-                    gather<Gradient>(lattice_, nodes_, st, t.node, g);
+                    gather<Gradient>(around, st, g);
                     return kernel.make(slot, g);
                 }
             };
-            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
-                                         kernel);
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
+            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
+                                         make, kernel);
         });
     }
 
@@ -173,8 +177,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         auto& store = body.store();
         ++store.updates;
         run_.for_each(store.slabs(), [&](std::size_t k) {
-            store.each_tile(k, [&](std::size_t j) {
-                [[maybe_unused]] const bool left = gather_tile<Sums, Gradient>(store, store.tiles[j], kernel);
+            store.each_tile_and_next(k, [&](std::size_t j, const auto* next) {
+                [[maybe_unused]] const bool left = gather_tile<Sums, Gradient>(store, store.tiles[j], next, kernel);
                 if constexpr (Moves)
                     if (left) [[unlikely]]
                         post_leavers(store, lattice_, k, j);
@@ -226,7 +230,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         const std::size_t slabs = store.slabs();
         for (std::size_t colour = 0; colour < 2 && colour < slabs; ++colour)
             run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) {
-                store.each_tile(2 * k + colour, [&](std::size_t j) { f(store.tiles[j]); });
+                store.each_tile_and_next(2 * k + colour,
+                                         [&](std::size_t j, const auto* next) { f(store.tiles[j], next); });
             });
     }
 
@@ -240,7 +245,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             each_field<Shown>::run([&](auto tag) TAMIS_INLINE_LAMBDA {
                 using F = std::remove_const_t<typename decltype(tag)::type>;
                 unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
-                    component<S>(local.template get<F>(), c) = L::load(columns.template column<F>(c) + place);
+                    component<S>(local.template get<F>(), c) = L::load(columns.template block<F>(place, c));
                 });
             });
             kernel(view<values<S, Shown>, Shown>{local});
@@ -248,25 +253,34 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 using F = typename decltype(tag)::type;
                 if constexpr (!std::is_const_v<F>)
                     unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
-                        L::store(columns.template column<F>(c) + place, component<S>(local.template get<F>(), c));
+                        L::store(columns.template block<F>(place, c), component<S>(local.template get<F>(), c));
                     });
             });
         }
     }
 
     template <class Sums, class Gradient, class Store, class Kernel>
-    TAMIS_FLATTEN bool gather_tile(Store& store, const tile& t, Kernel& kernel) {
+    TAMIS_FLATTEN bool gather_tile(Store& store, const tile& t, const typename Store::slot* next, Kernel& kernel) {
         const weigh_type weigh(functions_, lattice_, t);
         const frame<S> at = lattice_.frame_of(t.at);
+        const nodes_around<S, Shape, typename with_gradient<Sums, Gradient>::type> around(lattice_, nodes_, t.node);
+        constexpr bool looks = requires { kernel.look.around(lattice_, t.node); };
+        [[maybe_unused]] const auto flow_around = [&] {
+            if constexpr (looks)
+                return kernel.look.around(lattice_, t.node);
+            else
+                return no_field{};
+        }();
         bool left = false;
         for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
             auto& slot = store.slots[s];
+            if constexpr (S::dim > 1) store.fetch(next + (s - t.first));
             stencil<S, N> st;
             weigh(st, slot);
             gathered<S, Sums> g;
-            gather<Gradient>(lattice_, nodes_, st, t.node, g);
-            if constexpr (requires { kernel.look(lattice_, nodes_, st, t.node); })
-                kernel(slot, store.occupied[s], at, g, kernel.look(lattice_, nodes_, st, t.node));
+            gather<Gradient>(around, st, g);
+            if constexpr (looks)
+                kernel(slot, store.occupied[s], at, g, kernel.look(around, flow_around, st));
             else
                 kernel(slot, store.occupied[s], at, g);
             if (store.occupied[s] != Store::full) clear_empty(slot);
@@ -295,6 +309,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             const std::uint32_t first = t.first, last = first + t.count;
             const weigh_type weigh(functions_, lattice, t);
             const frame<S> at = lattice.frame_of(t.at);
+            const nodes_around<S, Shape, typename with_gradient<Sums, Gradient>::type> around(lattice, columns, place);
             sums_type sums[N];
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
             auto stay = T(real(0)) >= T(real(0));
@@ -303,7 +318,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 stencil<S, N> st;
                 weigh(st, slot);
                 gathered<S, Sums> g;
-                gather<Gradient>(lattice, columns, st, place, g);
+                gather<Gradient>(around, st, g);
                 kernel(slot, occupied[s], at, g);
                 if (occupied[s] != Store::full) clear_empty(slot);
                 if constexpr (Moves) stay = stay & weigh.stays(slot);

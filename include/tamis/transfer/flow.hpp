@@ -1,6 +1,6 @@
 #pragma once
 #include <tamis/particles/carried.hpp>
-#include <tamis/transfer/near.hpp>
+#include <tamis/transfer/gather.hpp>
 
 namespace tamis {
 
@@ -31,34 +31,23 @@ template <class Carried> struct carried_to_nodes {
 struct no_flow {};
 
 /// Makes the flow at W particles from the nodes' velocities in `Velocity` and the table of what is carried.
-template <class S, class Velocity> struct look_at_flow {
+template <class S, class Shape, class Velocity> struct look_at_flow {
+    using carried_around = nodes_around<S, Shape, fields<carried, carried_flow>>;
     const typename carried_nodes<S, true>::table_type& table;
 
-    template <class Lattice, class Nodes, int N>
-    TAMIS_INLINE flow<S> operator()(const Lattice& lattice, const Nodes& nodes, const stencil<S, N>& st,
-                                    std::size_t first) const {
-        using T = typename S::scalar;
-        using real = typename S::real;
-        using L = lane<T>;
-        const typename S::vector zero = S::vector::Constant(T(real(0)));
-        flow<S> at{zero, zero, T(real(0))};
-        for (int r = 0; r < Lattice::rows; ++r) {
-            const auto across = st.row(r);
-            const std::size_t place = first + lattice.row_offset(r);
-            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-                constexpr int step = a;
-                const T w = st.weight(step, across), c = L::load(table.template column<carried>() + place + step);
-                const typename S::vector dw = st.slope(step, across);
-                typename S::vector u;
-                unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
-                    u[int(d)] = L::load(nodes.template column<Velocity>(int(d)) + place + step);
-                });
-                at.velocity += w * u;
-                at.slope += c * dw;
-                at.flux += c * u.dot(dw);
-            });
-        }
-        return at;
+    /// What is carried on the nodes around a tile.
+    TAMIS_INLINE carried_around around(const lattice<S, Shape>& lattice, std::size_t first) const {
+        return {lattice, table, first};
+    }
+    template <class Around> TAMIS_INLINE flow<S> operator()(const Around& nodes, const carried_around& own,
+                                                            const stencil<S, Shape::support>& st) const {
+        gathered<S, fields<Velocity>, 0> velocity;
+        gather<no_field>(nodes, st, velocity);
+        gathered<S, fields<>> slope;
+        gather<carried>(own, st, slope);
+        gathered<S, fields<>> flux;
+        gather<carried_flow>(own, st, flux);
+        return {velocity.sums.template get<Velocity>(), slope.gradient.row(0).transpose(), flux.gradient.trace()};
     }
 };
 

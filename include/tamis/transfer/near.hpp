@@ -50,11 +50,11 @@ template <class S, class Slot, class Shown> struct slot_row {
 };
 
 /// `near` of a kernel that writes to nodes: one node at a time, so that sums stay in registers.
-template <class S, class Values, class Shown> struct one_node {
+template <class S, class Values, class Shown, class Slope = slope_of<S>> struct one_node {
     struct entry {
         view<Values, Shown> i;
         typename S::scalar w;
-        slope_of<S> dw;
+        Slope dw;
     };
     entry only;
     TAMIS_INLINE const entry* begin() const { return &only; }

@@ -4,30 +4,85 @@
 
 namespace tamis::detail {
 
-/// Adds a row of sums to the node columns. Unaligned adds at x, x + 1, x + 2 would each wait for the store before to
-/// leave the core, so lanes are shifted in registers and added to two aligned vectors.
-template <class S, int N, class Nodes, class Sums, class... F>
+/// Numbers that stay in registers while slots go by; four more hold what is added to them.
+inline constexpr int sums_in_registers = TAMIS_VECTOR_REGISTERS - 4;
+
+/// The fields of a list in groups whose sums, `nodes` for each component, fit into registers.
+template <class S, int Nodes, class List> struct in_groups;
+template <class S, int Nodes, class... F> struct in_groups<S, Nodes, fields<F...>> {
+    static constexpr int count = sizeof...(F);
+    static constexpr auto group_of = [] {
+        constexpr int sums[] = {F::template components<S> * Nodes...};
+        std::array<int, static_cast<std::size_t>(count)> group{};
+        int current = 0, used = 0;
+        for (int k = 0; k < count; ++k) {
+            if (used > 0 && used + sums[k] > sums_in_registers) {
+                ++current;
+                used = 0;
+            }
+            used += sums[k];
+            group[static_cast<std::size_t>(k)] = current;
+        }
+        return group;
+    }();
+    template <int G, std::size_t... K> static auto members(std::index_sequence<K...>) ->
+        typename concatenate<fields<>, fields_if<group_of[K] == G, F>...>::type;
+    template <int G> using group = decltype(members<G>(std::make_index_sequence<sizeof...(F)>{}));
+    static constexpr int groups = group_of[static_cast<std::size_t>(count - 1)] + 1;
+};
+
+/// Sums of a group; what a kernel adds to other fields is for another time, and compilers leave it out.
+template <class S, class Group, class All> struct group_sums {
+    values<S, Group>& sums;
+    values<S, All> unused;
+    TAMIS_INLINE explicit group_sums(values<S, Group>& to) : sums(to) { unused.set_zero(); }
+    template <class F> TAMIS_INLINE auto& get() {
+        if constexpr (contains<Group, F>)
+            return sums.template get<F>();
+        else
+            return unused.template get<F>();
+    }
+};
+
+/// Adds a row of sums to the nodes. Unaligned adds at x, x + 1, x + 2 would each wait for the store before to leave the
+/// core, so lanes are shifted in registers and added to whole blocks. With a pivot, its sum is that of the whole row.
+template <class S, int N, int Pivot, class Nodes, class Sums, class... F>
 TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, fields<F...>) {
     using T = typename S::scalar;
     using L = lane<T>;
     constexpr int W = S::width;
     const auto column = [&](auto tag, auto c) TAMIS_INLINE_LAMBDA {
         using G = typename decltype(tag)::type;
-        auto* p = nodes.template column<G>(c) + place;
-        if constexpr (W < N - 1 || W == 1) {
+        T sum[N];
+        unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sum[a] = component<S>(sums[a].template get<G>(), c); });
+        if constexpr (Pivot >= 0)
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-                L::store(p + a, L::load(p + a) + component<S>(sums[a].template get<G>(), c));
+                if constexpr (a != Pivot) sum[Pivot] -= sum[a];
             });
-        } else {
-            T low = component<S>(sums[0].template get<G>(), c) +
-                    L::template up<1>(component<S>(sums[1].template get<G>(), c));
-            T high = L::template over<1>(component<S>(sums[1].template get<G>(), c));
-            unroll<N - 2>([&](auto a) TAMIS_INLINE_LAMBDA {
-                low += L::template up<a + 2>(component<S>(sums[a + 2].template get<G>(), c));
-                high += L::template over<a + 2>(component<S>(sums[a + 2].template get<G>(), c));
+        const auto give = [&](int block, const T& sum_of_block) TAMIS_INLINE_LAMBDA {
+            auto* const p = nodes.template block<G>(place + static_cast<std::size_t>(block * W), c);
+            L::store(p, L::load(p) + sum_of_block);
+        };
+        if constexpr (W == 1)
+            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { give(a, sum[a]); });
+        else {
+            constexpr int blocks = (N - 1) / W + ((N - 1) % W > 0 ? 2 : 1);
+            T of[blocks];
+            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
+                constexpr int q = a / W, k = a % W;
+                if constexpr (a == 0)
+                    of[0] = sum[0];
+                else if constexpr (k == 0)
+                    of[q] += sum[a];
+                else {
+                    of[q] += L::template up<k>(sum[a]);
+                    if constexpr (k == 1)
+                        of[q + 1] = L::template over<1>(sum[a]);
+                    else
+                        of[q + 1] += L::template over<k>(sum[a]);
+                }
             });
-            L::store(p, L::load(p) + low);
-            L::store(p + W, L::load(p + W) + high);
+            unroll<blocks>([&](auto q) TAMIS_INLINE_LAMBDA { give(q, of[q]); });
         }
     };
     (unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA { column(std::type_identity<F>{}, c); }), ...);
@@ -35,52 +90,66 @@ TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, 
 
 /// Runs `kernel(p, near, made)`, or `kernel(p, near, made, a)` with the place a of the node in its row, for all slots
 /// of a tile and adds what it put on the nodes. `make(slot, stencil, frame)` gives what is the same for every node of a
-/// slot. Where there is more than one row of nodes, slots' weights are kept while rows go by, and a row is flushed once
-/// per chunk.
-template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Make,
-          class Kernel>
+/// slot. `fetch(k)` asks for slot k of the next tile. Where there is more than one row of nodes, slots' weights are
+/// kept while rows go by, and a row is flushed once per chunk.
+template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Fetch,
+          class Make, class Kernel>
 TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& nodes, Slot* slots, const tile& t,
-                                const frame<S>& at, Weigh& weigh, Make& make, Kernel& kernel) {
+                                const frame<S>& at, Weigh& weigh, Fetch& fetch, Make& make, Kernel& kernel) {
     constexpr int N = Shape::support, rows = tamis::detail::lattice<S, Shape>::rows;
-    using sums_type = values<S, ToNodes>;
+    constexpr int pivot = rows > 1 ? pivot_of<Shape> : -1;
     Slot* slot = slots + t.first;
-    const auto add = [&](sums_type(&sums)[N], Slot& from, const stencil<S, N>& st, const auto& across,
+    const auto add = [&](auto group, auto& sums, Slot& from, const stencil<S, N>& st, const auto& across,
                          const auto& made) TAMIS_INLINE_LAMBDA {
+        using sums_type = group_sums<S, typename decltype(group)::type, ToNodes>;
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-            const one_node<S, sums_type, ToNodes> near{{{sums[a]}, st.weight(a, across), st.slope(a, across)}};
+            sums_type to(sums[a]);
             const slot_row<S, Slot, Shown> p{from, at};
-            if constexpr (requires { requires Kernel::by_place; })
-                kernel(p, near, made, a);
-            else
+            if constexpr (a == pivot) {
+                const one_node<S, sums_type, ToNodes, slope_of_row<S>> near{{{to}, across.w, {across.d1, across.d2}}};
                 kernel(p, near, made);
+            } else {
+                const one_node<S, sums_type, ToNodes> near{{{to}, st.weight(a, across), st.slope(a, across)}};
+                if constexpr (requires { requires Kernel::by_place; })
+                    kernel(p, near, made, a);
+                else
+                    kernel(p, near, made);
+            }
         });
     };
     if constexpr (rows == 1) {
-        sums_type sums[N];
+        values<S, ToNodes> sums[N];
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
         for (std::uint32_t s = 0; s < t.count; ++s) {
             stencil<S, N> st;
             weigh(st, slot[s]);
             const auto made = make(slot[s], st, at);
-            add(sums, slot[s], st, st.row(0), made);
+            add(std::type_identity<ToNodes>{}, sums, slot[s], st, st.row(0), made);
         }
-        flush<S, N>(nodes, sums, t.node, ToNodes{});
+        flush<S, N, pivot>(nodes, sums, t.node, ToNodes{});
     } else {
+        using groups = in_groups<S, N, ToNodes>;
         constexpr int chunk = 16;
         for (std::uint32_t done = 0; done < t.count; done += chunk, slot += chunk) {
             const int n = static_cast<int>(std::min<std::uint32_t>(chunk, t.count - done));
             stencil<S, N> st[chunk];
-            decltype(make(*slot, st[0], at)) made[chunk];
+            using made_type = decltype(make(*slot, st[0], at));
+            made_type made[chunk];
             for (int s = 0; s < n; ++s) {
+                fetch(done + static_cast<std::uint32_t>(s));
                 weigh(st[s], slot[s]);
-                made[s] = make(slot[s], st[s], at);
+                // In place: copies would go through memory in smaller pieces.
+                new (&made[s]) made_type(make(slot[s], st[s], at));
             }
-            for (int r = 0; r < rows; ++r) {
-                sums_type sums[N];
-                unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
-                for (int s = 0; s < n; ++s) add(sums, slot[s], st[s], st[s].row(r), made[s]);
-                flush<S, N>(nodes, sums, t.node + lattice.row_offset(r), ToNodes{});
-            }
+            for (int r = 0; r < rows; ++r)
+                unroll<groups::groups>([&](auto g) TAMIS_INLINE_LAMBDA {
+                    using group = typename groups::template group<g>;
+                    values<S, group> sums[N];
+                    unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
+                    for (int s = 0; s < n; ++s)
+                        add(std::type_identity<group>{}, sums, slot[s], st[s], st[s].row(r), made[s]);
+                    flush<S, N, pivot>(nodes, sums, t.node + lattice.row_offset(r), group{});
+                });
         }
     }
 }

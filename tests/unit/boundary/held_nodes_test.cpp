@@ -35,15 +35,15 @@ template <int Dim, class Boundary> struct scene {
     detail::held_nodes<S, linear, Boundary> held;
 
     explicit scene(const Boundary& boundary) : held(boundary, lattice) {
-        for (std::size_t k = 0; k < lattice.size(); ++k) nodes.template column<field::mass>()[k] = 3;
+        for (std::size_t k = 0; k < lattice.size(); ++k) nodes.template at<field::mass>(k) = 3;
         held.attend(std::vector<char>(lattice.size(), 1));
     }
     template <class F> void put(F, std::size_t at, const place<Dim>& a) {
-        for (int d = 0; d < Dim; ++d) nodes.template column<F>(d)[at] = a[d];
+        for (int d = 0; d < Dim; ++d) nodes.template at<F>(at, d) = a[d];
     }
     template <class F> place<Dim> get(F, std::size_t at) const {
         place<Dim> a;
-        for (int d = 0; d < Dim; ++d) a[d] = nodes.template column<F>(d)[at];
+        for (int d = 0; d < Dim; ++d) a[d] = nodes.template at<F>(at, d);
         return a;
     }
 };
@@ -219,7 +219,7 @@ TEST_CASE("held_nodes: nodes that no particle reaches take no part") {
 TEST_CASE("held_nodes: a node without mass is left alone, and takes no reaction") {
     scene<1, fixed<decltype(everywhere)>> s{{everywhere}};
     const std::size_t at = s.lattice.node_place({1, 0, 0});
-    s.nodes.column<field::mass>()[at] = 1e-310;
+    s.nodes.at<field::mass>(at) = 1e-310;
     s.held.start(s.nodes, 0., true, inverse_dt, 1.);
     s.put(symbols::f, at, place<1>(5.));
     s.held.forces<false>(s.nodes, 0., inverse_dt);

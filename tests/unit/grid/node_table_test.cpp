@@ -12,10 +12,10 @@ template <class T> void only_active_blocks_are_cleared() {
     detail::node_table<S, fields<field::mass, field::velocity>> nodes(20 * W);
     STATIC_REQUIRE(nodes.components == 3);
     for (std::size_t k = 0; k < 20 * W; ++k) {
-        CHECK(nodes.template column<field::velocity>(1)[k] == 0);
-        nodes.template column<field::mass>()[k] = 1;
-        nodes.template column<field::velocity>(0)[k] = 2;
-        nodes.template column<field::velocity>(1)[k] = 3;
+        CHECK(nodes.template at<field::velocity>(k, 1) == 0);
+        nodes.template at<field::mass>(k) = 1;
+        nodes.template at<field::velocity>(k, 0) = 2;
+        nodes.template at<field::velocity>(k, 1) = 3;
     }
     nodes.set_active({1, 2, 3, 7, 19});
     CHECK(nodes.active().size() == 5);
@@ -23,9 +23,9 @@ template <class T> void only_active_blocks_are_cleared() {
     for (std::size_t k = 0; k < 20 * W; ++k) {
         const std::size_t block = k / W;
         const bool active = (block >= 1 && block <= 3) || block == 7 || block == 19;
-        CHECK(nodes.template column<field::mass>()[k] == 1);
-        CHECK(nodes.template column<field::velocity>(0)[k] == (active ? 0 : 2));
-        CHECK(nodes.template column<field::velocity>(1)[k] == (active ? 0 : 3));
+        CHECK(nodes.template at<field::mass>(k) == 1);
+        CHECK(nodes.template at<field::velocity>(k, 0) == (active ? 0 : 2));
+        CHECK(nodes.template at<field::velocity>(k, 1) == (active ? 0 : 3));
     }
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("node_table: columns of their own, zero at first; only active blocks a
 
 TEST_CASE("node_table: fields that share a column are one") {
     detail::node_table<space<1, double>, fields<field::mass, field::velocity>> nodes(8);
-    CHECK(nodes.column<field::inverse_mass>() == nodes.column<field::mass>());
-    CHECK(nodes.column<field::momentum>() == nodes.column<field::velocity>());
-    CHECK(nodes.column<field::mass>() != nodes.column<field::velocity>());
+    CHECK(nodes.block<field::inverse_mass>(0) == nodes.block<field::mass>(0));
+    CHECK(nodes.block<field::momentum>(0) == nodes.block<field::velocity>(0));
+    CHECK(nodes.block<field::mass>(0) != nodes.block<field::velocity>(0));
 }

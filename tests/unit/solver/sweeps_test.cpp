@@ -80,7 +80,7 @@ template <int Dim, class Shape, class Lanes> struct scene {
         return all;
     }
     double& node(auto field, const std::array<int, 3>& index, int d = 0) {
-        return sweeps.nodes().template column<decltype(field)>(d)[lattice.node_place(index)];
+        return sweeps.nodes().template at<decltype(field)>(lattice.node_place(index), d);
     }
 };
 
