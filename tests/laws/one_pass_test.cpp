@@ -14,8 +14,11 @@ template <class Execution, class Lanes, class... Policies> struct bars {
     static auto make_bar(const solver_type& of, double speed) {
         auto bar =
             block_in(of, [](const auto& at) { return (at[0] > 0 && at[0] < 50) || (at[0] > 60.1 && at[0] < 100); });
-        stir(bar, 0.02, 0.05);
-        for (auto p : bar) p[symbols::v][0] += speed * std::sin(0.7 * p[x0][0]);
+        for (auto p : bar) {
+            const double x = p[x0][0];
+            p[symbols::v][0] = speed * std::sin(0.7 * x) + 0.02 * std::sin(29 * x);
+            p[symbols::sigma](0, 0) = 0.05 * std::cos(23 * x);
+        }
         return bar;
     }
     decltype(make_bar(mpm, 0.)) bar;

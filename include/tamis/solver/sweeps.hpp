@@ -204,19 +204,30 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             return ahead && !some_left;
         }
         // Where one slab's row ends the next may begin: what waits there is added when both are done.
-        std::vector<row_type, aligned_allocator<row_type>> rows(slabs);
-        std::vector<char> some_left(slabs);
-        run_.for_each(slabs, [&](std::size_t k) { some_left[k] = run_row(k, rows[k]); });
-        for (std::size_t k = 0; k < slabs && ahead; ++k) {
-            if (rows[k].next() == row_type::nowhere) continue;
+        struct alignas(64) part {
+            row_type row;
+            bool some_left;
+        };
+        static_assert(std::is_trivially_destructible_v<part>);
+        if (scratch_.size() < slabs * sizeof(part)) scratch_.resize(slabs * sizeof(part));
+        auto* const parts = reinterpret_cast<part*>(scratch_.data());
+        run_.for_each(slabs, [&](std::size_t k) {
+            part& mine = *new (parts + k) part;
+            mine.some_left = run_row(k, mine.row);
+        });
+        bool some_left = false;
+        for (std::size_t k = 0; k < slabs; ++k) {
+            some_left = some_left || parts[k].some_left;
+            const row_type& row = parts[k].row;
+            if (!ahead || row.next() == row_type::nowhere) continue;
             std::size_t after = k + 1;
-            while (after < slabs && rows[after].next() == row_type::nowhere) ++after;
-            if (after < slabs && store.first_place(after) == rows[k].next())
-                rows[k].add_waiting(nodes_.columns());
+            while (after < slabs && parts[after].row.next() == row_type::nowhere) ++after;
+            if (after < slabs && store.first_place(after) == row.next())
+                row.add_waiting(nodes_.columns());
             else
-                rows[k].write_waiting(nodes_.columns());
+                row.write_waiting(nodes_.columns());
         }
-        return ahead && std::find(some_left.begin(), some_left.end(), 1) == some_left.end();
+        return ahead && !some_left;
     }
 
   private:
@@ -224,6 +235,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     const lattice_type& lattice_;
     const Execution& run_;
     nodes_type nodes_;
+    std::vector<char, aligned_allocator<char>> scratch_;  // of gather_and_scatter, kept from step to step
 
     /// Slabs k and k + 2 share no node: even ones first, then odd ones, whatever the number of threads.
     template <class Store, class F> void each_tile_by_colour(Store& store, const F& f) {
