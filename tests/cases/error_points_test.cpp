@@ -47,14 +47,14 @@ TEST_CASE("report: points of the fronts") {
 }
 
 TEST_CASE("report: every scene has runs in both modes, none of them twice") {
-    CHECK(scenes().size() == 11);
+    CHECK(scenes().size() == 10);
     for (const report_scene& scene : scenes())
         for (const auto* list : {&scene.quick, &scene.full}) {
             CAPTURE(scene.name, list == &scene.full);
             std::vector<std::string> texts;
             for (const configuration& what : *list) texts.push_back(what.text());
             std::sort(texts.begin(), texts.end());
-            CHECK(texts.size() >= 30);
+            CHECK(texts.size() >= 20);
             CHECK(std::adjacent_find(texts.begin(), texts.end()) == texts.end());
             CHECK(std::any_of(list->begin(), list->end(), [&](const configuration& c) { return scene.shown(c); }));
         }
