@@ -188,9 +188,9 @@ page error_page(const std::vector<report_scene>& scenes, const std::vector<measu
         if (here.empty()) continue;
         report.heading(scene.title).paragraph(scene.about).paragraph(scene.error_is);
         report.figures(
-            {{work_precision_svg(here),
-              "Error against run time, all " + std::to_string(here.size()) +
-                  " runs. The grey line is the front that no run beats; crosses are ADMPM's way."},
+            {{work_precision_svg(here), "Error against run time, all " + std::to_string(here.size()) +
+                                            " runs. The grey line is the front that no run beats" +
+                                            (of_admpm(here).empty() ? "." : "; crosses are ADMPM's way.")},
              {convergence_svg(scene, here),
               "Error over the number of cells (k above 2 dashed). Dotted lines show first and second order."}});
         report.table(best_table(here));
