@@ -72,6 +72,7 @@ template <class S, class List> class tile_store {
             needed += tiles[t].room;
             tile_of_block_[lattice.block_place(tiles[t].at)] = static_cast<int>(t + 1);
         }
+        slots.reserve(slots_before_tidy(needed));
         slots.resize(needed);
         for (slot& s : slots) s.set_zero();
         occupied.assign(needed, 0);
@@ -164,7 +165,7 @@ template <class S, class List> class tile_store {
         if (std::exchange(emptied_, false))
             for (const tile& t : tiles) empty += t.count == 0 && t.letter < 0 ? 1 : 0;
         if (empty > tiles.size() / 4 + 1 || tiles.size() > sorted_ + sorted_ / 8 + 16 ||
-            slots.size() > tidied_ + tidied_ / 2 + 256)
+            slots.size() > slots_before_tidy(tidied_))
             sort(lattice, 2);
     }
     template <class Lattice> void sort(const Lattice& lattice, std::uint32_t spare) {
@@ -182,7 +183,7 @@ template <class S, class List> class tile_store {
         std::vector<slot, aligned_allocator<slot>> new_slots;
         std::vector<std::uint32_t> new_occupied;
         new_tiles.reserve(order.size());
-        new_slots.reserve(needed);
+        new_slots.reserve(slots_before_tidy(needed));
         new_occupied.reserve(needed);
         for (const tile& t : tiles) tile_of_block_[lattice.block_place(t.at)] = 0;
         for (const std::size_t k : order) {
@@ -204,6 +205,7 @@ template <class S, class List> class tile_store {
         tiles.swap(new_tiles);
         slots.swap(new_slots);
         occupied.swap(new_occupied);
+        left_.clear();
         sorted_ = tiles.size();
         tidied_ = slots.size();
         arranged_ = false;
@@ -278,7 +280,11 @@ template <class S, class List> class tile_store {
     std::vector<letter> mail_;
     zeros<int> tile_of_block_;  // from 1; 0: none
     std::size_t count_ = 0, sorted_ = 0, tidied_ = 0;
+    std::vector<std::vector<std::uint32_t>> left_;  // by the number of slots: first ones of room that tiles left
 
+    /// How many slots there may be before they are tidied. Addresses for them are taken at once, memory when they come:
+    /// so slots are not copied as they become more.
+    static std::size_t slots_before_tidy(std::size_t tidied) { return tidied + tidied / 2 + 256; }
     template <class Lattice> int tile_at(const Lattice& lattice, const std::array<int, 3>& cell) {
         const std::array<int, 3> at{cell[0] / W, cell[1], cell[2]};
         int& t = tile_of_block_[lattice.block_place(at)];
@@ -316,11 +322,20 @@ template <class S, class List> class tile_store {
             ++in_lane[static_cast<std::size_t>(mail_[static_cast<std::size_t>(k)].cell[0] % W)];
         return std::max(t.count, *std::max_element(in_lane.begin(), in_lane.end()));
     }
-    /// Moves the tile's slots to the end, where there is more room.
+    /// Moves the tile's slots to where there is more room: where another tile was, or to the end.
     void make_room(tile& t, std::uint32_t room) {
-        const auto first = static_cast<std::uint32_t>(slots.size());
-        slots.resize(first + room);
-        occupied.resize(first + room, 0);
+        auto first = static_cast<std::uint32_t>(slots.size());
+        if (room < left_.size() && !left_[room].empty()) {
+            first = left_[room].back();
+            left_[room].pop_back();
+        } else {
+            slots.resize(first + room);
+            occupied.resize(first + room, 0);
+        }
+        if (t.room > 0) {
+            if (left_.size() <= t.room) left_.resize(t.room + 1);
+            left_[t.room].push_back(t.first);
+        }
         for (std::uint32_t k = 0; k < room; ++k) {
             if (k < t.count) {
                 slots[first + k] = slots[t.first + k];
