@@ -94,6 +94,7 @@ template <class S, class Shape, class Contact> class touching_nodes {
     }
     /// Forces f: those that carry p (its column may hold the velocity already) to a momentum that the contact allows.
     template <bool HoldsVelocity, class Fields> void forces(const Fields& fields, const real& dt) {
+        const real inverse_dt = real(1) / dt;
         for (entry& e : nodes_) {
             vector v[2], f[2];
             for (std::size_t k = 0; k < 2; ++k) {
@@ -103,7 +104,7 @@ template <class S, class Shape, class Contact> class touching_nodes {
                 v[k] += f[k] * (dt / e.mass[k]);
             }
             const vector j = impulse(e, v[1] - v[0]);
-            const vector pushes = j / dt;
+            const vector pushes = j * inverse_dt;
             e.force += pushes;
             heat_ += to_double(e.heat);
             e.told = e.state;
@@ -151,7 +152,7 @@ template <class S, class Shape, class Contact> class touching_nodes {
             } else {
                 j = share_of(e, between(Increment{}));
                 if (e.state == contact_state::slides) {
-                    const real friction = j.dot(e.tangent);
+                    const real friction = -j.dot(e.normal) * e.friction;
                     heat = friction * (between(Sum{}).dot(e.tangent) - friction / (real(2) * e.reduced));
                 }
             }

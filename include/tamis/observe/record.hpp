@@ -112,7 +112,7 @@ auto node_records(const detail::lattice<S, Shape>& lattice, const Shape& functio
 
     std::erase_if(reached, [](const node_type& node) { return !(node.mean.mass > real(0)); });
     std::sort(reached.begin(), reached.end(),
-              [&](const node_type& a, const node_type& b) { return flat(a.index) < flat(b.index); });
+              [&](const node_type& one, const node_type& other) { return flat(one.index) < flat(other.index); });
     for (node_type& node : reached) {
         const real share = real(1) / node.mean.mass;
         node.mean.density *= share;
