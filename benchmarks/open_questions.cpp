@@ -286,6 +286,8 @@ void stick() {
     add(usavg_minus{});
     add(usavg_plus{});
     add(euler{});
+    add_method(usl_minus{}, "net", contact_method::net{});
+    add_method(usl_minus{}, "filtered", contact_method::filtered{});
     add_method(usl_minus{}, "lumped", contact_method::lumped{});
     add_method(usl_minus{}, "velocity", contact_method::velocity{});
 }
@@ -351,6 +353,8 @@ void impacts() {
     each(usavg_minus{});
     each(usavg_plus{});
     each(euler{});
+    add(usl_minus{}, "net", contact_method::net{});
+    add(usl_minus{}, "filtered", contact_method::filtered{});
     impact_row("usl-", impact<held, linear>(contact_method::incremental{}, flip{}), {"FLIP", "-"});
     heading("Impact, moving, quadratic, usl-", "contact", with_impact_columns({"k"}));
     const auto moving_row = [](const std::string& name, auto method) {
@@ -358,9 +362,19 @@ void impacts() {
             impact_row(name, impact<moving, quadratic_spline>(method, fmpm<dynamic>{k}), {std::to_string(k)});
     };
     moving_row("incremental", contact_method::incremental{});
+    moving_row("net", contact_method::net{});
+    moving_row("filtered", contact_method::filtered{});
     moving_row("lumped", contact_method::lumped{});
     moving_row("velocity", contact_method::velocity{});
     impact_row("FLIP", impact<moving, quadratic_spline>(contact_method::incremental{}, flip{}), {"-"});
+    const auto xpic_row = [](const std::string& name, auto method) {
+        for (const int k : {2, 4, 8})
+            impact_row("XPIC, " + name, impact<moving, quadratic_spline>(method, xpic<dynamic>{k}),
+                       {std::to_string(k)});
+    };
+    xpic_row("incremental", contact_method::incremental{});
+    xpic_row("net", contact_method::net{});
+    xpic_row("filtered", contact_method::filtered{});
 }
 
 // 3.3: which velocity strains.

@@ -23,6 +23,8 @@ void run(const bar_scene& scene, const bar_options& o) {
         summary->out() << summary_of(scene, o, result);
         summary->commit();
     }
+    if (!std::cout.flush())
+        throw tamis::error("the table could not be written to the standard output; is the disk full?");
 }
 
 }  // namespace

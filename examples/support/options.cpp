@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <vector>
 
 namespace {
@@ -89,6 +90,12 @@ bool read_options(bar_options& o, const bar_scene& scene, int argc, const char* 
     for (const auto* path : {&o.csv, &o.dump, &o.summary})
         if (path->empty() && app.count(path == &o.csv ? "--csv" : path == &o.dump ? "--dump" : "--summary") > 0)
             throw bad_option("an output has an empty name; give a folder for --csv, a file for --dump and --summary");
+    std::vector<std::filesystem::path> outputs;
+    for (const auto* path : {&o.csv, &o.dump, &o.summary})
+        if (!path->empty()) outputs.push_back(std::filesystem::absolute(*path).lexically_normal());
+    std::sort(outputs.begin(), outputs.end());
+    if (std::adjacent_find(outputs.begin(), outputs.end()) != outputs.end())
+        throw bad_option("two of --csv, --dump and --summary have the same name; give each one of its own");
     if (o.boundary != "incremental" && o.update != "fmpm")
         throw bad_option("--boundary: methods differ for a full mass matrix only; give --update fmpm, or leave it out");
     const double needed = o.time * bar_scene::wave_speed * o.cells / (o.courant * bar_scene::length);

@@ -8,8 +8,7 @@
 // On a slope along the x axis, gravity being turned; and on one that is inclined in the grid. (Let go suddenly instead,
 // the block rocks and hops, undamped: it then slides 3 % too far, and at mu > tan(theta) by a part of a cell.)
 //
-// Measured: way off by at most 0.1 %, speed 0.6 %, heat 1.4 % with FLIP and FMPM(2), -3.0 and -3.6 % with FMPM(4),
-// whose further increments' friction is not in the heat. A block that stays moves by less than 2e-8.
+// Measured: way off by at most 0.1 %, speed 0.6 %, heat 1.4 %. A block that stays moves by less than 2e-8.
 #include <tamis/tamis.hpp>
 
 #include <algorithm>
@@ -80,7 +79,7 @@ template <class Scheme> void slides(const slope& on, const Scheme& scheme) {
     CAPTURE(way, speed, heat);
     CHECK(std::abs(way - 1) < 0.003);
     CHECK(std::abs(speed - 1) < 0.01);
-    CHECK(std::abs(heat - 1) < 0.05);
+    CHECK(std::abs(heat - 1) < 0.02);
 }
 template <class Scheme> void stays(const slope& on, const Scheme& scheme) {
     const slide found = run(on, 0.6, scheme);

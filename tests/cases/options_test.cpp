@@ -203,8 +203,12 @@ TEST_CASE("bad options get one line and exit code 2, and leave nothing") {
                                                                      "--csv " + (folder / "file").string(),
                                                                      "--summary " + folder.path().string(),
                                                                      "--dump " + folder.path().string(),
+                                                                     "--summary /dev/null",
+                                                                     "--dump /dev/null",
                                                                      "--csv ''",
                                                                      "--summary ''",
+                                                                     "--csv " + kept + " --dump " + kept,
+                                                                     "--summary ./x --dump x",
                                                                      "--csv " + kept + " --dump " + below,
                                                                      "--summary " + kept + " --csv " + below}) {
             const auto run = run_program(folder, scene, arguments);

@@ -92,6 +92,15 @@ TEST_CASE("allocation: the steps of a moving block in its cells take no memory a
     CHECK(mpm.crossings() == 0);
 }
 
+TEST_CASE("allocation: sums over nodes take no memory after the first") {
+    const fixed ends{[](const auto& at) { return at[0] <= 0 || at[0] >= 1; }};
+    solver mpm{uniform_grid{{0.}, {1.}, 0.02}, linear{}, adaptive_fmpm{1e-3, 8}, ends, kinetic_feedback{0, 1, 10}};
+    auto bar = mpm.make_body(law, everywhere, per_cell{2});
+    for (auto p : bar) p[v][0] = 0.01 * p[x][0];
+    CHECK(allocations_of_steps(mpm, bar, 50) == 0);
+    CHECK(mpm.load().alpha() > 0);
+}
+
 TEST_CASE("allocation: a block that goes from cell to cell takes memory now and then, not every step") {
     solver mpm{uniform_grid{{0., 0.}, {4., 1.}, 0.1}, quadratic_spline{}, flip{}};
     auto block = mpm.make_body(

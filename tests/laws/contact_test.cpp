@@ -74,6 +74,10 @@ TEST_CASE("contact: a perfect interface is the one-body run, for FMPM(1) to FMPM
         CAPTURE(k);
         sticks_as_one(fmpm<dynamic>{k}, linear{});
     }
+    const auto one = run<false>(40, fmpm<4>{});
+    const auto two =
+        run<true>(40, fmpm<4>{}, contact{bonded{}, normal_by_mass{}, by_approach{}, contact_method::net{}});
+    CHECK(difference(one, two) < 1e-12);
     sticks_as_one(fmpm<4>{}, usavg_plus{});
     sticks_as_one(fmpm<3>{}, usf{}, cubic_spline{});
     sticks_as_one(xpic<3>{});
@@ -92,8 +96,15 @@ TEST_CASE("contact: momentum is kept exactly by every law, detection and method"
     kept(contact{coulomb{0.3}, given_normal{place(1, 0)}});
     kept(contact{coulomb{0.3}, normal_by_mass{}, by_separation{0.8}});
     kept(contact{coulomb{0.3}, normal_by_mass{}, by_approach{}, contact_method::lumped{}});
-    CHECK(run<true>(40, contact{coulomb{0.3}, normal_by_mass{}, by_approach{}, contact_method::velocity{}}, fmpm<3>{})
-              .lost.norm() < 1e-14);
+    const auto kept_by = [](const auto& method, const auto& scheme) {
+        const contact policy{coulomb{0.3}, normal_by_mass{}, by_approach{}, method};
+        CHECK(run<true>(40, policy, scheme).lost.norm() < 1e-14);
+    };
+    kept_by(contact_method::velocity{}, fmpm<3>{});
+    kept_by(contact_method::net{}, fmpm<3>{});
+    kept_by(contact_method::net{}, xpic<3>{});
+    kept_by(contact_method::filtered{}, fmpm<3>{});
+    kept_by(contact_method::filtered{}, xpic<3>{});
 }
 
 TEST_CASE("contact: bodies that do not meet move as alone, and parting ones are let go") {

@@ -221,6 +221,9 @@ TEST_CASE("full mass: columns of the inverse, and the acceleration that it gives
     }
     const auto c = mpm.inverse_column(bodies(bar), {4, 0, 0});
     REQUIRE(c.size() == 11);
+    CHECK_THROWS_AS(mpm.inverse_column(bodies(bar), {11, 0, 0}), error);
+    CHECK_THROWS_AS(mpm.on_node(field::acceleration{}, {4, 1, 0}), error);
+    CHECK_THROWS_AS(mpm.on_node(field::acceleration{}, {-1, 0, 0}), error);
     const Eigen::VectorXd unit = matrix * Eigen::Map<const Eigen::VectorXd>(c.data(), 11);
     for (int k = 0; k < 11; ++k) CHECK(std::abs(unit[k] - (k == 4 ? 1 : 0)) < 1e-6);
 

@@ -214,7 +214,7 @@ TEST_CASE("bad numbers are answered with a sentence") {
     CHECK(has(message_of([&] {
                   integrate(mpm, bodies(a), {1, 1}, courant{0.2});
               }),
-              "the end is not after the beginning"));
+              "give a beginning and a later, finite end"));
     CHECK(has(message_of([&] { mpm.step(bodies(a), 0.01, -5); }), "give a later, finite end"));
     const double infinite = std::numeric_limits<double>::infinity();
     CHECK(has(message_of([&] { mpm.step(bodies(a), infinite); }), "the time step is inf; give a positive, finite"));

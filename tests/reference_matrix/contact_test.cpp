@@ -143,10 +143,11 @@ tally check(const Update& update, const reference::update& same, const Contact& 
 
 using reference::contact_law;
 
-template <class Shape, class Order, class Contact>
-void check_fmpm(const Contact& policy, const reference::contact_rule& rule) {
+template <class Shape, class Order, class Update = fmpm<tamis::dynamic>, class Contact>
+void check_terms(const Contact& policy, const reference::contact_rule& rule) {
     for (const int k : {1, 2, 4}) {
-        const tally all = check<Shape, Order>(fmpm<tamis::dynamic>{k}, reference::fmpm(k), policy, rule);
+        const Update update{k};
+        const tally all = check<Shape, Order>(update, compare::same(update), policy, rule);
         CHECK(all.sticks + all.slides > 20);
         if (rule.law == contact_law::bonded) continue;
         CHECK(all.apart > 0);
@@ -158,36 +159,56 @@ void check_fmpm(const Contact& policy, const reference::contact_rule& rule) {
 }  // namespace
 
 TEST_CASE("contact: fmpm with Coulomb friction agrees with the reference", "[reference_matrix]") {
-    check_fmpm<quadratic_spline, usl_minus>(contact{coulomb{0.3}}, {.law = contact_law::coulomb, .mu = 0.3});
-    check_fmpm<linear, usavg_minus>(contact{coulomb{0.4}, given_normal{slanted}, by_separation{0.8}},
-                                    {.law = contact_law::coulomb, .mu = 0.4, .normal = slanted, .cells = 0.8});
-    check_fmpm<quadratic_spline, usl_plus>(contact{coulomb{0.3}, normal_by_mass{}, by_separation{0.9}},
-                                           {.law = contact_law::coulomb, .mu = 0.3, .cells = 0.9});
+    check_terms<quadratic_spline, usl_minus>(contact{coulomb{0.3}}, {.law = contact_law::coulomb, .mu = 0.3});
+    check_terms<linear, usavg_minus>(contact{coulomb{0.4}, given_normal{slanted}, by_separation{0.8}},
+                                     {.law = contact_law::coulomb, .mu = 0.4, .normal = slanted, .cells = 0.8});
+    check_terms<quadratic_spline, usl_plus>(contact{coulomb{0.3}, normal_by_mass{}, by_separation{0.9}},
+                                            {.law = contact_law::coulomb, .mu = 0.3, .cells = 0.9});
 }
 
 TEST_CASE("contact: fmpm without friction agrees with the reference", "[reference_matrix]") {
-    check_fmpm<linear, usl_minus>(contact{frictionless{}, given_normal{slanted}},
-                                  {.law = contact_law::frictionless, .normal = slanted});
-    check_fmpm<quadratic_spline, usavg_minus>(contact{frictionless{}}, {.law = contact_law::frictionless});
+    check_terms<linear, usl_minus>(contact{frictionless{}, given_normal{slanted}},
+                                   {.law = contact_law::frictionless, .normal = slanted});
+    check_terms<quadratic_spline, usavg_minus>(contact{frictionless{}}, {.law = contact_law::frictionless});
 }
 
 TEST_CASE("contact: fmpm of bonded bodies agrees with the reference", "[reference_matrix]") {
-    check_fmpm<quadratic_spline, usl_plus>(contact{bonded{}}, {.law = contact_law::bonded});
+    check_terms<quadratic_spline, usl_plus>(contact{bonded{}}, {.law = contact_law::bonded});
 }
 
 TEST_CASE("contact: fmpm with contact on p+ alone agrees with the reference", "[reference_matrix]") {
-    check_fmpm<quadratic_spline, usavg_minus>(
+    check_terms<quadratic_spline, usavg_minus>(
         contact{coulomb{0.3}, normal_by_mass{}, by_approach{}, contact_method::lumped{}},
         {.law = contact_law::coulomb, .mu = 0.3, .stage = reference::contact_stage::momentum});
 }
 
 TEST_CASE("contact: fmpm with contact after the series agrees with the reference", "[reference_matrix]") {
-    check_fmpm<quadratic_spline, usl_minus>(
+    check_terms<quadratic_spline, usl_minus>(
         contact{coulomb{0.3}, normal_by_mass{}, by_approach{}, contact_method::velocity{}},
         {.law = contact_law::coulomb, .mu = 0.3, .stage = reference::contact_stage::velocity});
-    check_fmpm<quadratic_spline, usl_plus>(
+    check_terms<quadratic_spline, usl_plus>(
         contact{frictionless{}, given_normal{slanted}, by_approach{}, contact_method::velocity{}},
         {.law = contact_law::frictionless, .normal = slanted, .stage = reference::contact_stage::velocity});
+}
+
+TEST_CASE("contact: xpic with contact on p+ and on the increments agrees with the reference", "[reference_matrix]") {
+    check_terms<quadratic_spline, usavg_minus, xpic<tamis::dynamic>>(contact{coulomb{0.3}},
+                                                                     {.law = contact_law::coulomb, .mu = 0.3});
+}
+
+TEST_CASE("contact: the law asked about every partial sum agrees with the reference", "[reference_matrix]") {
+    const contact policy{coulomb{0.3}, normal_by_mass{}, by_approach{}, contact_method::net{}};
+    const reference::contact_rule rule{.law = contact_law::coulomb, .mu = 0.3, .stage = reference::contact_stage::sums};
+    check_terms<quadratic_spline, usl_plus>(policy, rule);
+    check_terms<quadratic_spline, usl_minus, xpic<tamis::dynamic>>(policy, rule);
+}
+
+TEST_CASE("contact: what contact changed at the start filtered out agrees with the reference", "[reference_matrix]") {
+    const contact policy{coulomb{0.3}, normal_by_mass{}, by_approach{}, contact_method::filtered{}};
+    const reference::contact_rule rule{
+        .law = contact_law::coulomb, .mu = 0.3, .stage = reference::contact_stage::filtered};
+    check_terms<quadratic_spline, usl_plus>(policy, rule);
+    check_terms<quadratic_spline, usl_minus, xpic<tamis::dynamic>>(policy, rule);
 }
 
 TEST_CASE("contact: flip agrees with the reference", "[reference_matrix]") {

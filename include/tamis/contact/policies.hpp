@@ -77,20 +77,43 @@ struct by_separation {
     double cells = 0.8;
 };
 
-/// Where contact enters a full mass matrix's series.
+namespace detail {
+
+/// What contact does to the increments of a full mass matrix's series, beyond the lumped velocity.
+enum class contact_terms { untouched, each, first, net };
+
+}  // namespace detail
+
+/// Where contact enters a full mass matrix's series, of FMPM(k) and of XPIC(k).
 namespace contact_method {
 
-/// On the lumped momentum and on every further increment (numerics.md, section 7). The default.
+/// On the lumped momentum and on every further increment (numerics.md, section 7), as the lumped momentum decided who
+/// sticks, slides or is apart. The default.
 struct incremental {
-    static constexpr bool on_momentum = true, on_increments = true, on_velocity = false;
+    static constexpr bool on_momentum = true, on_velocity = false;
+    static constexpr auto terms = detail::contact_terms::each;
+};
+/// The same, but who touches and how is decided anew with every increment, for the sum so far: that obeys the law.
+struct net {
+    static constexpr bool on_momentum = true, on_velocity = false;
+    static constexpr auto terms = detail::contact_terms::net;
 };
 /// On the lumped momentum only, before the series.
 struct lumped {
-    static constexpr bool on_momentum = true, on_increments = false, on_velocity = false;
+    static constexpr bool on_momentum = true, on_velocity = false;
+    static constexpr auto terms = detail::contact_terms::untouched;
+};
+/// XPIC contact, and the like for FMPM (Nairn, Hammerquist & Smith 2020): on the lumped momentum; of its change at the
+/// step's start, d = J/m, only the last term A^(k-1) d is left in the series, so that it filters what particles have
+/// and not what contact did.
+struct filtered {
+    static constexpr bool on_momentum = true, on_velocity = false;
+    static constexpr auto terms = detail::contact_terms::first;
 };
 /// On the momentum of the step's start and, in place of p+, on the velocity the series gave, after it.
 struct velocity {
-    static constexpr bool on_momentum = false, on_increments = false, on_velocity = true;
+    static constexpr bool on_momentum = false, on_velocity = true;
+    static constexpr auto terms = detail::contact_terms::untouched;
 };
 
 }  // namespace contact_method

@@ -77,20 +77,24 @@ template <class S, class Shape, class Contact> class touching_nodes {
             });
     }
 
-    /// Momenta p of the step's start, or of an extrapolation after it. `felt`: 1/dt times the share of their change
-    /// that reaches the particles.
-    template <class Fields> void momentum(const Fields& fields, const real& felt = real(0)) {
+    /// Momenta p of the step's start, or of an extrapolation after it. `share`: how much of their change reaches the
+    /// particles.
+    template <class Fields>
+    void momentum(const Fields& fields, const real& share = real(0), const real& inverse_dt = real(0)) {
         for (entry& e : nodes_) {
             const vector p[2] = {fields[e.field[0]]->template get<field::momentum>(e.place),
                                  fields[e.field[1]]->template get<field::momentum>(e.place)};
             const vector j = impulse(e, p[1] / e.mass[1] - p[0] / e.mass[0]);
+            e.of_start = {j, share * e.heat};
+            heat_ += to_double(e.of_start.heat);
             fields[e.field[0]]->template put<field::momentum>(e.place, vector(p[0] + j));
             fields[e.field[1]]->template put<field::momentum>(e.place, vector(p[1] - j));
-            e.force += felt * j;
+            e.force += j * (share * inverse_dt);
         }
     }
     /// Forces f: those that carry p (its column may hold the velocity already) to a momentum that the contact allows.
     template <bool HoldsVelocity, class Fields> void forces(const Fields& fields, const real& dt) {
+        const real inverse_dt = real(1) / dt;
         for (entry& e : nodes_) {
             vector v[2], f[2];
             for (std::size_t k = 0; k < 2; ++k) {
@@ -100,7 +104,7 @@ template <class S, class Shape, class Contact> class touching_nodes {
                 v[k] += f[k] * (dt / e.mass[k]);
             }
             const vector j = impulse(e, v[1] - v[0]);
-            const vector pushes = j / dt;
+            const vector pushes = j * inverse_dt;
             e.force += pushes;
             heat_ += to_double(e.heat);
             e.told = e.state;
@@ -122,18 +126,35 @@ template <class S, class Shape, class Contact> class touching_nodes {
             e.told = e.state;
         }
     }
-    /// An increment of the series, and the sum it was added to: bodies that stick get equal increments; those that
-    /// slide get equal normal ones, and friction by the same share of them.
+    /// An increment of the series, and the sum it was added to: the method says what becomes of them. `first`: it is
+    /// the first beyond the lumped velocity.
     template <class Increment, class Sum, class Fields>
-    void increment(const Fields& fields, const real& dt, bool counts) {
+    void increment(const Fields& fields, const real& inverse_dt, bool counts, bool first) {
+        constexpr contact_terms how = Contact::method_type::terms;
+        if (how == contact_terms::first && !first) return;
         for (entry& e : nodes_) {
-            if (e.state == contact_state::apart) continue;
-            const vector w = fields[e.field[1]]->template get<Increment>(e.place) -
-                             fields[e.field[0]]->template get<Increment>(e.place);
-            vector j = e.reduced * w;
-            if (e.state == contact_state::slides) {
-                const real along = j.dot(e.normal);
-                j = along * e.normal - along * e.friction * e.tangent;
+            const auto between = [&](auto field) {
+                using F = decltype(field);
+                return vector(fields[e.field[1]]->template get<F>(e.place) -
+                              fields[e.field[0]]->template get<F>(e.place));
+            };
+            vector j;
+            real heat(0);
+            if constexpr (how == contact_terms::first) {
+                j = -e.of_start.impulse;
+                heat = -e.of_start.heat;
+            } else if constexpr (how == contact_terms::net) {
+                const vector before = e.given;
+                heat = -e.heat;
+                j = impulse(e, e.wanted + between(Increment{})) - before;
+                heat += e.heat;
+                if (counts) e.told = e.state;
+            } else {
+                j = share_of(e, between(Increment{}));
+                if (e.state == contact_state::slides) {
+                    const real friction = -j.dot(e.normal) * e.friction;
+                    heat = friction * (between(Sum{}).dot(e.tangent) - friction / (real(2) * e.reduced));
+                }
             }
             for (std::size_t k = 0; k < 2; ++k) {
                 const vector change = j / (k == 0 ? e.mass[k] : -e.mass[k]);
@@ -141,7 +162,9 @@ template <class S, class Shape, class Contact> class touching_nodes {
                 nodes.template put<Increment>(e.place, vector(nodes.template get<Increment>(e.place) + change));
                 nodes.template put<Sum>(e.place, vector(nodes.template get<Sum>(e.place) + change));
             }
-            if (counts) e.force += j / dt;
+            if (!counts) continue;
+            e.force += j * inverse_dt;
+            heat_ += to_double(heat);
         }
     }
 
@@ -165,6 +188,12 @@ template <class S, class Shape, class Contact> class touching_nodes {
         std::array<real, 2> mass{};
         real reduced{}, friction{}, heat{};  // friction: tangential over normal impulse
         vector normal = vector::Zero(), tangent = vector::Zero(), force = vector::Zero();
+        struct {
+            vector impulse = vector::Zero();
+            real heat{};
+        } of_start;  // impulse at the momentum of the start, or extrapolated last
+        vector wanted = vector::Zero(),
+               given = vector::Zero();  // relative velocity without contact, and impulse for it
         contact_state state = contact_state::apart;
         contact_state told = contact_state::apart;  // of the forces, or of the velocity that particles take
     };
@@ -177,11 +206,22 @@ template <class S, class Shape, class Contact> class touching_nodes {
     /// Impulse on the first body for a relative velocity w of the second.
     vector impulse(entry& e, const vector& w) const {
         e.heat = e.friction = real(0);
+        e.wanted = w;
         if constexpr (Contact::always) {
             e.state = contact_state::sticks;
-            return e.reduced * w;
+            e.given = e.reduced * w;
         } else
-            return impulse_where_pressed(e, w);
+            e.given = impulse_where_pressed(e, w);
+        return e.given;
+    }
+    /// The impulse for a further relative velocity w as its state was decided: bodies that stick get equal increments;
+    /// those that slide get equal normal ones, and friction by the same share of them.
+    vector share_of(const entry& e, const vector& w) const {
+        if (e.state == contact_state::apart) return vector::Zero();
+        const vector j = e.reduced * w;
+        if (e.state == contact_state::sticks) return j;
+        const real along = j.dot(e.normal);
+        return along * e.normal - along * e.friction * e.tangent;
     }
     vector impulse_where_pressed(entry& e, const vector& w) const {
         const real along = w.dot(e.normal);

@@ -78,6 +78,16 @@ template <class S, class Shape> class lattice {
         if constexpr (D > 2) place += static_cast<std::size_t>(node[2] + ghosts<Shape>) * plane_;
         return place;
     }
+    /// The same for a node that a user names. Throws `error` if the grid has no such node.
+    std::size_t place_of_node(const cell_index& node) const {
+        for (int d = 0; d < 3; ++d) {
+            const int last = d < D ? grid_.cells(d) : 0;
+            if (node[at(d)] < 0 || node[at(d)] > last)
+                throw error(sentence("node (", node[0], ", ", node[1], ", ", node[2], "): the grid has none of index ",
+                                     node[at(d)], " along axis ", d, "; give 0 to ", last));
+        }
+        return node_place(node);
+    }
 
     /// Where the node at a storage place is.
     point<D, real> place_of(std::size_t place) const {
@@ -162,17 +172,19 @@ template <class S, class Shape> class lattice {
     std::array<real, static_cast<std::size_t>(W)> first_lane_{}, last_lane_{};
 };
 
-/// Weights at one place of a cell: the functions of the step, one lane wide.
-template <class S, class Shape>
-stencil<space<S::dim, typename S::real>, Shape::support> stencil_at(const lattice<S, Shape>& lattice,
-                                                                    const Shape& functions,
-                                                                    const std::array<int, 3>& cell,
-                                                                    const point<S::dim, typename S::real>& local) {
+/// Weights at one place of a cell: the functions of the step, one lane wide. `of`: the particle there, if one is meant
+/// and the functions depend on it.
+template <class S, class Shape, class... Particle> stencil<space<S::dim, typename S::real>, Shape::support> stencil_at(
+    const lattice<S, Shape>& lattice, const Shape& functions, const std::array<int, 3>& cell,
+    const point<S::dim, typename S::real>& local, const Particle&... of) {
     using real = typename S::real;
     using one = space<S::dim, real>;
     stencil<one, Shape::support> st;
     const typename one::vector r = local;
-    st.set(functions_of_place(functions), r, lattice.inverse_spacing());
+    if constexpr (sizeof...(Particle) > 0)
+        st.set(functions, r, lattice.inverse_spacing(), of...);
+    else
+        st.set(functions_of_place(functions), r, lattice.inverse_spacing());
     if constexpr (ghosts < Shape >> 0) {
         wall_lanes<one> walls;
         for (int d = 0; d < S::dim; ++d) {

@@ -19,6 +19,10 @@ class atomic_file {
         std::error_code failed;
         if (std::filesystem::is_directory(path_, failed))
             throw error(detail::sentence("cannot write ", path_.string(), ": it is a folder; give the name of a file"));
+        // A device or a pipe would be replaced by a file of its name.
+        if (std::filesystem::exists(path_, failed) && !std::filesystem::is_regular_file(path_, failed))
+            throw error(detail::sentence("cannot write ", path_.string(),
+                                         ": it is no regular file; give the name of a file, or of none that exists"));
         if (path_.has_parent_path()) {
             std::filesystem::create_directories(path_.parent_path(), failed);
         }

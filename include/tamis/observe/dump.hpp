@@ -161,7 +161,7 @@ template <class Lattice, class Shape, class... Body> class dump_output {
         const auto each = [&](const auto& body) {
             for (const auto p : body) {
                 bool reached = false;
-                each_near_node(lattice_, functions_, point<dim, real>(p[symbols::x]), [&](const auto& near) {
+                each_near_node(lattice_, functions_, p, [&](const auto& near) {
                     if (near.weight == real(0)) return;
                     reached = true;
                     touches.push_back({near.index, n, near.weight, near.slope});

@@ -1,8 +1,10 @@
 #pragma once
+#include <tamis/core/memory.hpp>
 #include <tamis/particles/reach.hpp>
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <tuple>
 #include <vector>
 
@@ -80,13 +82,13 @@ auto node_records(const detail::lattice<S, Shape>& lattice, const Shape& functio
                static_cast<std::size_t>(index[0]);
     };
     // Grids may be large and bodies small: only nodes that are reached get a record.
-    std::vector<std::uint32_t> place(count[0] * count[1] * count[2], 0);
+    detail::zeros<std::uint32_t> place(count[0] * count[1] * count[2]);
     std::vector<node_type> reached;
     const auto add = [&](const auto& body) {
         for (const auto p : body) {
             const auto r = record_of(body, p);
             const real volume = p[V];
-            each_near_node(lattice, functions, r.position, [&](const auto& near) {
+            each_near_node(lattice, functions, p, [&](const auto& near) {
                 std::uint32_t& k = place[flat(near.index)];
                 if (k == 0) {
                     reached.push_back({near.index,
@@ -108,18 +110,17 @@ auto node_records(const detail::lattice<S, Shape>& lattice, const Shape& functio
     };
     std::apply([&](const auto&... body) { (add(body), ...); }, all);
 
-    std::vector<node_type> nodes;
-    for (const std::uint32_t k : place) {
-        if (k == 0 || !(reached[k - 1].mean.mass > real(0))) continue;
-        node_type node = reached[k - 1];
+    std::erase_if(reached, [](const node_type& node) { return !(node.mean.mass > real(0)); });
+    std::sort(reached.begin(), reached.end(),
+              [&](const node_type& one, const node_type& other) { return flat(one.index) < flat(other.index); });
+    for (node_type& node : reached) {
         const real share = real(1) / node.mean.mass;
         node.mean.density *= share;
         node.mean.velocity *= share;
         node.mean.stress *= share;
         node.mean.strain *= share;
-        nodes.push_back(node);
     }
-    return nodes;
+    return reached;
 }
 
 }  // namespace tamis

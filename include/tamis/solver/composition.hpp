@@ -65,6 +65,11 @@ concept Leaving = requires {
 template <class Touch> inline constexpr bool contact_acts_early = true;
 template <ContactPolicy Touch> inline constexpr bool contact_acts_early<Touch> = Touch::method_type::on_momentum;
 
+/// Does contact ask its law about the sum of the mass matrix's series?
+template <class Touch> inline constexpr bool decides_by_sum = false;
+template <ContactPolicy Touch> inline constexpr bool decides_by_sum<Touch> =
+    Touch::method_type::terms == contact_terms::net;
+
 /// What a policy is for, told from its members.
 template <class P, class Point> consteval role role_of() {
     if constexpr (ShapeFunction<P>)
@@ -175,6 +180,10 @@ template <class Grid, class... P> struct composition {
         "contact_method::incremental");
     static_assert(!own_velocities || incremental,
                   "tamis: contact goes with boundary_method::incremental only, and with no exact mass matrix");
+
+    static_assert(!decides_by_sum<touch> || !contains<read, field::full_acceleration>,
+                  "tamis: contact_method::net decides by the sum of a series, which field::full_acceleration has not; "
+                  "give contact_method::incremental");
 
     static constexpr bool moves = motion::moves;
     static constexpr bool bands = may_use_bands<dim, shape, mass, moves>;

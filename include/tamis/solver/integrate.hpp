@@ -98,6 +98,12 @@ template <class... Body> void check_finite(const std::tuple<Body&...>& all, long
     std::apply([&](const auto&... b) { (one(b), ...); }, all);
 }
 
+inline void check_span(const interval& span) {
+    if (!(span.end > span.begin && std::isfinite(span.end - span.begin)))
+        throw error(sentence("integrate: the interval is ", span.begin, " to ", span.end,
+                             " s; give a beginning and a later, finite end"));
+}
+
 inline void check_courant(double number, double limit, double dt, long step, double t) {
     if (!(number <= limit))
         throw error(sentence("step ", step, ", t = ", t, ": the Courant number (c + |V|) dt/h is ", number,
@@ -132,8 +138,7 @@ template <class F> auto every(long n, F f) {
 template <class Solver, class... Body, class... Observer>
 long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps steps, Observer&&... observers) {
     using real = typename Solver::real;
-    if (!(span.end > span.begin))
-        throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
+    detail::check_span(span);
     if (steps.count < 1)
         throw error(detail::sentence("integrate: ", steps.count, " steps; give fixed_steps{1} or more"));
     const double dt = (span.end - span.begin) / static_cast<double>(steps.count);
@@ -161,8 +166,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
 template <class Solver, class... Body, class... Observer>
 long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pace, Observer&&... observers) {
     using real = typename Solver::real;
-    if (!(span.end > span.begin))
-        throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
+    detail::check_span(span);
     if (!(pace.number > 0))
         throw error(detail::sentence("integrate: the Courant number is ", pace.number, "; give a positive one"));
     if (pace.number > pace.limit)

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace tamis {
@@ -30,6 +31,7 @@ template <class Solver, class... Body> struct passes {
     Solver& mpm;
     std::tuple<Body&...>& all;
     real dt_, inverse_dt = real(1) / dt_;
+    bool first_increment = true;  // of a series: the one beyond the lumped velocity is next
 
     /// Are the next step's sums made while the particles are updated?
     static constexpr bool one_pass = C::sums_ahead && sizeof...(Body) == 1 && !(Body::needs_flow || ...);
@@ -80,7 +82,7 @@ template <class Solver, class... Body> struct passes {
         const double share = mpm.transfer_.particle.start_share();
         if constexpr (C::own_velocities) {
             find_contact();
-            mpm.contact_.momentum(tables(), constant<real>(share) * inverse_dt);
+            mpm.contact_.momentum(tables(), constant<real>(share), inverse_dt);
         }
         each_held([&](auto& held, auto& table) { held.start(table, t, C::moves, inverse_dt, share); });
     }
@@ -121,6 +123,7 @@ template <class Solver, class... Body> struct passes {
     template <class To> void full_velocity(bool felt) {
         using method = typename C::method;
         const auto& mass = mpm.transfer_.mass;
+        first_increment = true;
         if constexpr (C::incremental || is_always<method, held_by::lumped>() || !Solver::held_type::any) {
             mass.template filter<To>(felt, *this);
             if constexpr (C::own_velocities)
@@ -145,9 +148,7 @@ template <class Solver, class... Body> struct passes {
     /// SdV = S^T M S dv.
     void spread_increment() {
         if constexpr (C::bands)
-            if (!any_axis_wraps(mpm.lattice_) &&
-                (!C::moves || mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>))
-                return multiply_increment();
+            if (bands_pay()) return multiply_increment();
         set_zero<field::image>();
         each_body([](auto& b, auto& sweeps) {
             sweeps.template scatter_gathered<fields<const field::mass>, fields<field::increment>, fields<field::image>>(
@@ -157,8 +158,9 @@ template <class Solver, class... Body> struct passes {
     }
     template <class Sum> void hold_increment(bool felt) {
         if constexpr (C::own_velocities)
-            if (C::touch::method_type::on_increments)
-                mpm.contact_.template increment<field::increment, Sum>(tables(), dt_, felt);
+            if constexpr (C::touch::method_type::terms != contact_terms::untouched)
+                mpm.contact_.template increment<field::increment, Sum>(tables(), inverse_dt, felt,
+                                                                       std::exchange(first_increment, false));
         each_held(
             [&](auto& held, auto& table) { held.template increment<field::increment, Sum>(table, inverse_dt, felt); });
     }
@@ -217,6 +219,7 @@ template <class Solver, class... Body> struct passes {
                 requires { mpm.transfer_.mass.template series<field::full_acceleration>(false, *this); },
                 "tamis: field::full_acceleration needs a mass matrix whose inverse has a fixed number of terms; give "
                 "fmpm<k>");
+            first_increment = false;
             mpm.transfer_.mass.template series<field::full_acceleration>(false, *this);
         }
     }
@@ -241,6 +244,13 @@ template <class Solver, class... Body> struct passes {
             return true;
     }();
 
+    bool bands_pay() const {
+        if (any_axis_wraps(mpm.lattice_)) return false;
+        if constexpr (C::moves)
+            return mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>;
+        else
+            return true;
+    }
     /// SdV by the assembled matrix, which is made anew when weights have changed.
     void multiply_increment() {
         using band = field::mass_band<C::shape::support>;

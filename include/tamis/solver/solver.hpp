@@ -86,10 +86,12 @@ template <class Grid, class... Policies> class solver {
     /// Particles that went to another cell, since the start.
     std::size_t crossings() const { return crossings_; }
     /// A node field as the last step left it, at node (i, j, k): a vector. Nodes outside the bodies' reach have 0.
+    /// Where bodies have velocities of their own it is the first one's. Throws `error` for a node that the grid has
+    /// not.
     template <class F> point<dim, real> on_node(F, const std::array<int, 3>& node) const {
         static_assert(stores<typename C::node_fields, F> && F::template components<S> == dim,
                       "tamis: the composition has no such vector field on its nodes; ask for it by read_out<F>{}");
-        return field_.sweeps.nodes().template get<F>(lattice_.node_place(node));
+        return field_.sweeps.nodes().template get<F>(lattice_.place_of_node(node));
     }
     /// Column of the full mass matrix's inverse by the composed number of terms, that of node (i, j, k), where the
     /// particles are now and without conditions (1/kg); per node of the grid, i fastest. Its sum over columns times m
@@ -98,6 +100,7 @@ template <class Grid, class... Policies> class solver {
     std::vector<real> inverse_column(std::tuple<Body&...> all, const std::array<int, 3>& node) requires C::mass::full {
         static_assert(!C::own_velocities && !C::exact,
                       "tamis: columns of the inverse are those of one velocity field and a series of terms");
+        const std::size_t place = lattice_.place_of_node(node);
         prepare(all);
         detail::passes<solver, Body...> now{*this, all, real(1)};
         if constexpr (C::moves) {
@@ -108,7 +111,7 @@ template <class Grid, class... Policies> class solver {
             now.wrap(fields<field::mass>{});
             now.nodes(detail::invert_mass{});
         }
-        const std::vector<real> places = now.inverse_column(lattice_.node_place(node));
+        const std::vector<real> places = now.inverse_column(place);
         std::vector<real> column;
         grid().each_node([&](const auto& index) { column.push_back(places[lattice_.node_place(index)]); });
         return column;

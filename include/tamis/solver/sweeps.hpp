@@ -7,6 +7,10 @@
 #include <tamis/transfer/scatter.hpp>
 #include <tamis/transfer/weigh.hpp>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 namespace tamis::detail {
 
 /// Passes over nodes, and over the particles of one body. They depend on as little of a composition as they can, so
@@ -41,10 +45,10 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         constexpr std::size_t chunk = 256;
         const auto& active = nodes_.active();
         const std::size_t chunks = (active.size() + chunk - 1) / chunk;
-        std::vector<std::array<T, Count>> parts(chunks);
+        parts_.resize(std::max(parts_.size(), chunks * Count));
         run_.for_each(chunks, [&](std::size_t k) {
-            auto& part = parts[k];
-            part.fill(T(real(0)));
+            T* const part = parts_.data() + k * Count;
+            std::fill_n(part, Count, T(real(0)));
             const auto add = [&](auto i) TAMIS_INLINE_LAMBDA {
                 const std::array<T, Count> more = kernel(i);
                 for (std::size_t c = 0; c < Count; ++c) part[c] += more[c];
@@ -53,12 +57,11 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         });
         std::array<real, Count> total;
         total.fill(real(0));
-        for (const auto& part : parts)
-            for (std::size_t c = 0; c < Count; ++c) {
-                real lanes_of_part[W];
-                lane<T>::store(lanes_of_part, part[c]);
-                for (int l = 0; l < W; ++l) total[c] += lanes_of_part[l];
-            }
+        for (std::size_t k = 0; k < chunks * Count; ++k) {
+            real lanes_of_part[W];
+            lane<T>::store(lanes_of_part, parts_[k]);
+            for (int l = 0; l < W; ++l) total[k % Count] += lanes_of_part[l];
+        }
         return total;
     }
 
@@ -236,6 +239,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     const Execution& run_;
     nodes_type nodes_;
     std::vector<char, aligned_allocator<char>> scratch_;  // of gather_and_scatter, kept from step to step
+    std::vector<T> parts_;  // of sums over nodes
 
     /// Slabs k and k + 2 share no node: even ones first, then odd ones, whatever the number of threads.
     template <class Store, class F> void each_tile_by_colour(Store& store, const F& f) {

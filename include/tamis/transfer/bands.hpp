@@ -39,6 +39,12 @@ template <class Mass>
 requires requires { Mass::fixed_terms; }
 inline constexpr int terms_of<Mass> = Mass::fixed_terms;
 
+/// A mass policy that tells how many terms it takes, at most; of others nothing is known.
+template <class Mass>
+concept CountsTerms = requires(const Mass& mass) {
+    mass.terms();
+};
+
 /// From how many terms on assembling the bands in every step costs less than sweeping particles for each term:
 /// measured, docs/method.md.
 template <class Shape> inline constexpr int bands_pay_from = Shape::support <= 3 ? 3 : 4;
@@ -48,7 +54,8 @@ template <class Shape> inline constexpr int bands_pay_from = Shape::support <= 3
 /// every step, which pays from some terms on.
 template <int Dim, class Shape, class Mass, bool Moves>
 inline constexpr bool may_use_bands = Dim == 1 && contains<on_nodes_t<Mass>, field::image> &&
-                                      (!Moves || terms_of<Mass> == dynamic || terms_of<Mass> >= bands_pay_from<Shape>);
+                                      (!Moves || (CountsTerms<Mass> && (terms_of<Mass> == dynamic ||
+                                                                        terms_of<Mass> >= bands_pay_from<Shape>)));
 
 }  // namespace detail
 }  // namespace tamis

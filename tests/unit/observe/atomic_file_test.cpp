@@ -44,4 +44,6 @@ TEST_CASE("a place that cannot be written to is refused at once") {
     REQUIRE_THROWS_AS(tamis::atomic_file(folder / "file/below.txt"), tamis::error);
     REQUIRE_THROWS_AS(tamis::atomic_file(folder.path()), tamis::error);
     CHECK(folder.names() == std::vector<std::string>{"file"});
+    REQUIRE_THROWS_AS(tamis::atomic_file("/dev/null"), tamis::error);
+    CHECK(std::filesystem::is_character_file("/dev/null"));
 }

@@ -50,3 +50,34 @@ TEST_CASE("reach: a point outside has no nodes near it") {
         CHECK_FALSE(
             each_near_node(mpm.lattice(), mpm.functions(), point<1, double>(where), [](const auto&) { FAIL(); }));
 }
+
+TEST_CASE("reach: a stretched particle has its own weights, those of the next step") {
+    solver mpm{uniform_grid{{0.}, {1.}, 0.25}, cpgimp{2}};
+    auto one = mpm.make_body_at(neo_hookean{.young = 1, .density = 1}, {point<1, double>(0.45)}, 0.125);
+    set_deformation_of(one, [](const auto&) { return 1.6; });
+    for (auto p : one) p[symbols::v][0] = 1;
+    const auto weights_of = [&](const auto& of) {
+        std::array<double, 5> all{};
+        CHECK(each_near_node(mpm.lattice(), mpm.functions(), of,
+                             [&](const auto& node) { all[static_cast<std::size_t>(node.index[0])] = node.weight; }));
+        return all;
+    };
+    std::array<double, 5> stretched{}, at_place{};
+    for (const auto p : std::as_const(one)) {
+        stretched = weights_of(p);
+        at_place = weights_of(point<1, double>(p[symbols::x]));
+    }
+    // From 0.05 left of the middle node, 0.4 of a side to each side of it; undeformed 0.25.
+    CHECK(std::abs(stretched[3] - 0.2 * 0.2 / 1.6) < 1e-15);
+    CHECK(std::abs(at_place[3] - 0.05 * 0.05) < 1e-15);
+    const auto record = node_records(mpm.lattice(), mpm.functions(), bodies(std::as_const(one)));
+    REQUIRE(record.size() == 3);
+    for (const auto& node : record)
+        CHECK(std::abs(node.mean.mass - 0.125 * stretched[static_cast<std::size_t>(node.index[0])]) < 1e-15);
+    mpm.step(bodies(one), 1e-9);
+    // Momentum over its weight is the velocity at every node, and the force that of the record.
+    for (const auto& node : record) {
+        const double a = mpm.on_node(field::acceleration{}, node.index)[0];
+        CHECK(std::abs(a * node.mean.mass - node.internal_force[0]) < 1e-12 * std::abs(node.internal_force[0]));
+    }
+}

@@ -36,6 +36,37 @@ TEST_CASE("initial: velocities, densities and strains come from functions of the
     CHECK(names(text, "set_density_of", "at (0.0625", "-0.4375", "positive"));
 }
 
+TEST_CASE("initial: deformation gradients give a law of finite strain its stresses") {
+    solver mpm{uniform_grid{{0., 0.}, {1., 1.}, 0.5}};
+    const neo_hookean rubber{.young = 4, .poisson = 0.25, .density = 2};
+    auto block = mpm.make_body(rubber, everywhere, per_cell{2}, fields<field::density, field::strain>{});
+    const auto stretched = [](const auto& at) {
+        return (matrix<2, double>() << 1 + at[0], 0.5, 0.25, 1 + at[1]).finished();
+    };
+    set_deformation_of(block, stretched);
+    for (const auto p : std::as_const(block)) {
+        const matrix<2, double> of = stretched(p[x]), B = of * of.transpose(), one = matrix<2, double>::Identity();
+        CHECK(matrix<2, double>(p[F]) == of);
+        // mu = lambda = 1.6
+        CHECK((p[sigma] - 1.6 * (B - one + std::log(of.determinant()) * one)).norm() < 1e-14);
+        CHECK(std::abs(p[rho] - 2 / of.determinant()) < 1e-15);
+        CHECK((p[epsilon] - (of + of.transpose()) / 2 + one).norm() < 1e-15);
+    }
+    const std::string text = complaint([&] {
+        set_deformation_of(block,
+                           [](const auto& at) { return (matrix<2, double>() << at[0] - 0.5, 0, 0, 1).finished(); });
+    });
+    CAPTURE(text);
+    CHECK(names(text, "set_deformation_of", "at (0.125", "-0.375", "positive"));
+}
+
+TEST_CASE("initial: a small strain sets the deformation gradient too, where it is stored") {
+    solver mpm{uniform_grid{{0.}, {1.}, 0.25}};
+    auto bar = mpm.make_body(law, everywhere, per_cell{2}, fields<field::deformation>{});
+    set_strain_of(bar, [](const auto& at) { return 0.1 * at[0]; });
+    for (const auto p : std::as_const(bar)) CHECK(p[F](0, 0) == 1 + 0.1 * p[x][0]);
+}
+
 TEST_CASE("initial: in 1D a number will do") {
     solver mpm{uniform_grid{{0.}, {1.}, 0.25}};
     auto bar = mpm.make_body(law, everywhere, per_cell{2});

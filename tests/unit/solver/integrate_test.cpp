@@ -70,8 +70,9 @@ TEST_CASE("integrate: moving particles carry waves along") {
 }
 
 TEST_CASE("integrate: spans and paces that make no sense are refused") {
-    CHECK(names(refusal({1, 1}, fixed_steps{5}), "integrate", "end is not after the beginning"));
-    CHECK(names(refusal({1, 0}, courant{0.5}), "integrate", "end is not after the beginning"));
+    CHECK(names(refusal({1, 1}, fixed_steps{5}), "integrate", "a later, finite end"));
+    CHECK(names(refusal({1, 0}, courant{0.5}), "integrate", "a later, finite end"));
+    CHECK(names(refusal({0, std::numeric_limits<double>::infinity()}, courant{0.5}), "a later, finite end"));
     CHECK(names(refusal({0, 1}, fixed_steps{0}), "integrate", "0 steps", "fixed_steps{1}"));
     CHECK(names(refusal({0, 1}, courant{0}), "integrate", "Courant number is 0", "positive"));
     CHECK(names(refusal({0, 1}, courant{std::numeric_limits<double>::quiet_NaN()}), "Courant number is"));
