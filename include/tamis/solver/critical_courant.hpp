@@ -28,8 +28,9 @@ struct critical_courant {
 
 namespace detail {
 
-/// Particles per cell and 2D, 3D: numbers of one dimension times this are safe (docs/stability.md).
-inline constexpr double critical_by_dimension[] = {1, 1, 1};
+/// The number of waves along an axis bounds the step in two and three dimensions too; but with one particle per cell,
+/// near its corner, waves along the diagonal of a cube do, by the root of 2/3 (docs/stability.md).
+inline double critical_by_dimension(int dim, double per_cell) { return dim == 3 && per_cell < 1.5 ? 0.816 : 1; }
 
 /// Row of a shape's first composition, -1 if the table does not know it.
 template <class Shape> inline constexpr int critical_shape = -1;
@@ -97,7 +98,7 @@ std::optional<critical_courant> critical_of(const typename C::transfer& transfer
         const int low = clamp(std::floor(per_cell + 1e-3)), high = clamp(std::ceil(per_cell - 1e-3));
         // Beyond the table's last order numbers at free ends fall with the root of k.
         constexpr int last = critical_fmpm[std::size(critical_fmpm) - 1];
-        constexpr double by = critical_by_dimension[C::dim - 1];
+        const double by = critical_by_dimension(C::dim, per_cell);
         const auto of = [&](int row, int n) {
             const critical_row& r = critical_table[first + row];
             const double more = k > last ? std::sqrt(static_cast<double>(last) / k) : 1;
