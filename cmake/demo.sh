@@ -1,6 +1,6 @@
 #!/bin/sh
-# sh cmake/demo.sh: installs what is missing (Debian, Ubuntu), builds the examples, and runs four scenes. Tables,
-# CSV files and plots are left in out/.
+# sh cmake/demo.sh: installs what is missing (Debian, Ubuntu), builds the examples, runs four scenes, and makes the
+# report of error against run time. Tables, CSV files, plots and the report are left in out/.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -29,6 +29,13 @@ echo "== shock_tube"
 build/demo/examples/shock_tube --summary out/shock_tube.json --csv out/shock_tube.csv
 if command -v gnuplot > /dev/null; then
     gnuplot -e "csv='out/shock_tube.csv'; out='out/shock_tube'" examples/plots/shock_tube.gp
+fi
+echo "== Error against run time (a minute or two)"
+if command -v gnuplot > /dev/null; then
+    rm -rf out/report
+    build/demo/examples/report/tamis_report error --quick --out out/report
+else
+    echo "gnuplot is not installed, so the report, whose pictures it draws, is not made."
 fi
 echo "== Written to out/:"
 ls out

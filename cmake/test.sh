@@ -4,6 +4,6 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-sh cmake/setup.sh catch2 libcli11-dev nlohmann-json3-dev
+sh cmake/setup.sh catch2 libcli11-dev nlohmann-json3-dev gnuplot-nox
 sh cmake/build.sh test
 ctest --test-dir build/test -j2 --output-on-failure

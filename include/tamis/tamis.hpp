@@ -12,6 +12,9 @@
 #include <tamis/material/ideal_gas.hpp>
 #include <tamis/material/linear_elastic.hpp>
 #include <tamis/material/neo_hookean.hpp>
+#include <tamis/material/newtonian.hpp>
+#include <tamis/material/pressure_gas.hpp>
+#include <tamis/material/tait.hpp>
 #include <tamis/boundary/conditions.hpp>
 #include <tamis/boundary/methods.hpp>
 #include <tamis/contact/policies.hpp>

@@ -1,4 +1,4 @@
-#include "two_bars.hpp"
+#include "two_bars_run.hpp"
 
 #include "catch.hpp"
 

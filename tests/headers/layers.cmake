@@ -16,6 +16,7 @@ set(layer_transfer 3)
 set(layer_solver 4)
 set(layer_observe 5)
 set(layer_stability 5)
+set(layer_conservation 5)
 # A header beside the folders, such as tamis.hpp, collects them all.
 set(layer_ 6)
 

@@ -34,6 +34,10 @@ struct density : scalar_field {
 struct internal_energy : scalar_field {
     static constexpr std::string_view name = "internal_energy";
 };
+/// Pressure of a particle (Pa), for laws that follow it by its rate.
+struct pressure : scalar_field {
+    static constexpr std::string_view name = "pressure";
+};
 /// Sum of a particle's strain increments. Kept current where somebody asks for it.
 struct strain : symmetric_field {
     static constexpr std::string_view name = "strain";

@@ -36,8 +36,8 @@ template <class S, class Shape> class lattice {
         plane_ = row_ * static_cast<std::size_t>(rows_of_nodes_[1]);
         size_ = plane_ * static_cast<std::size_t>(rows_of_nodes_[2]) + static_cast<std::size_t>(W + N);
         for (int l = 0; l < W; ++l) {
-            first_lane_[at(l)] = real(l == 0 ? 1 : 0);
-            last_lane_[at(l)] = real(l == (bins_[0] - 1) % W ? 1 : 0);
+            first_lane_[at(l)] = real(l == 0 && !grid.wraps(0) ? 1 : 0);
+            last_lane_[at(l)] = real(l == (bins_[0] - 1) % W && !grid.wraps(0) ? 1 : 0);
         }
     }
 
@@ -46,6 +46,8 @@ template <class S, class Shape> class lattice {
     /// Number of node places in storage, padding included.
     std::size_t size() const { return size_; }
     int bins(int d) const { return bins_[at(d)]; }
+    /// Storage places of nodes along axis d, ghosts included.
+    int places_along(int d) const { return rows_of_nodes_[at(d)]; }
     int blocks(int d) const { return blocks_[at(d)]; }
     std::size_t block_count() const {
         return static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
@@ -110,8 +112,8 @@ template <class S, class Shape> class lattice {
         walls.low[0] = tile[0] == 0 ? lane<T>::load(first_lane_.data()) : T(real(0));
         walls.high[0] = tile[0] == blocks_[0] - 1 ? lane<T>::load(last_lane_.data()) : T(real(0));
         for (int d = 1; d < D; ++d) {
-            walls.low[d] = T(real(tile[at(d)] == 0 ? 1 : 0));
-            walls.high[d] = T(real(tile[at(d)] == bins_[at(d)] - 1 ? 1 : 0));
+            walls.low[d] = T(real(tile[at(d)] == 0 && !grid_.wraps(d) ? 1 : 0));
+            walls.high[d] = T(real(tile[at(d)] == bins_[at(d)] - 1 && !grid_.wraps(d) ? 1 : 0));
         }
         return walls;
     }
@@ -130,6 +132,15 @@ template <class S, class Shape> class lattice {
             if (c == 0) local[d] = std::max<real>(local[d], real(Shape::shift));
             if (c == bins_[at(d)] - 1) local[d] = std::min<real>(local[d], real(1) - real(Shape::shift));
         }
+        return true;
+    }
+    /// Along a periodic axis: the cell where a place is that may have left the box. False where that is none.
+    bool bring_back(int d, int& cell, const real& local) const {
+        if (!grid_.wraps(d) || !(local >= real(0) && local <= real(1))) return false;
+        const int n = grid_.cells(d);
+        cell = (cell % n + n) % n;
+        // Cells centred on nodes: the one at the walls has a half at each.
+        if (cell == 0 && local < real(Shape::shift)) cell = n;
         return true;
     }
     /// How far a place in a cell may go towards the walls: a cell centred on the wall's node has only its inner half.
@@ -166,8 +177,9 @@ stencil<space<S::dim, typename S::real>, Shape::support> stencil_at(const lattic
         wall_lanes<one> walls;
         for (int d = 0; d < S::dim; ++d) {
             const int c = cell[static_cast<std::size_t>(d)];
-            walls.low[d] = real(c == 0 ? 1 : 0);
-            walls.high[d] = real(c == lattice.bins(d) - 1 ? 1 : 0);
+            const bool wall = !lattice.grid().wraps(d);
+            walls.low[d] = real(c == 0 && wall ? 1 : 0);
+            walls.high[d] = real(c == lattice.bins(d) - 1 && wall ? 1 : 0);
         }
         st.fold(walls);
     }

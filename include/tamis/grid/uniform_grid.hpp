@@ -53,6 +53,18 @@ template <int Dim, class Real = double> class uniform_grid {
     /// Number of cells along axis d; there is one node more.
     int cells(int d) const { return cells_[static_cast<std::size_t>(d)]; }
 
+    /// The same box, periodic along axis d: its upper wall is its lower one.
+    uniform_grid wrapped(int d) const {
+        if (d < 0 || d >= Dim) throw error(detail::sentence("uniform_grid: there is no axis ", d, " to wrap"));
+        if (cells(d) < 3)
+            throw error(detail::sentence("uniform_grid: ", cells(d), " cells along axis ", d,
+                                         " cannot be wrapped; give 3 or more"));
+        uniform_grid other = *this;
+        other.wraps_[static_cast<std::size_t>(d)] = true;
+        return other;
+    }
+    bool wraps(int d) const { return wraps_[static_cast<std::size_t>(d)]; }
+
     /// Where node (i, j, k) is. Nodes on the walls are exactly there.
     vector node(const std::array<int, 3>& index) const {
         vector at;
@@ -75,6 +87,7 @@ template <int Dim, class Real = double> class uniform_grid {
   private:
     vector lower_, upper_;
     std::array<int, Dim> cells_{};
+    std::array<bool, Dim> wraps_{};
     Real spacing_{};
 };
 

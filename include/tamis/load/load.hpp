@@ -13,6 +13,14 @@ concept BodyLoad = requires(const L& load, const Vector& x, const Vector& v, dou
     load.acceleration(x, v, t);
 };
 
+/// A body acceleration (m/s^2) from fields that particles carry: `acceleration_of(p, t)`, p a row that shows the load's
+/// `on_particles`, in lanes. `static constexpr bool by_fields = true;` says so.
+template <class L>
+concept FieldLoad = requires {
+    requires L::by_fields;
+    typename L::on_particles;
+};
+
 /// A force (N) on each particle that `chooses(x)` picks when its body is made: `force(x, t)` at its present place.
 template <class L, class Vector>
 concept ParticleLoad = requires(const L& load, const Vector& x, double t) {

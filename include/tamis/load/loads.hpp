@@ -50,19 +50,19 @@ template <class Load, class F> TAMIS_INLINE void each_load(Load& load, F&& f) {
 }
 
 template <class L, class Point>
-concept Accelerates = BodyLoad<L, Point> && !requires {
-    requires L::never;
-};
+concept Accelerates = FieldLoad<L> ||(BodyLoad<L, Point> && !requires { requires L::never; });
 template <class L, class Point>
-concept SingleLoad = BodyLoad<L, Point> || ParticleLoad<L, Point> || SurfaceLoad<L, Point> || NodeDamping<L>;
+concept SingleLoad =
+    BodyLoad<L, Point> || FieldLoad<L> || ParticleLoad<L, Point> || SurfaceLoad<L, Point> || NodeDamping<L>;
 
 /// What the loads of a composition are, and the fields that particles must have for them.
 template <class Point, class List> struct kinds_of_loads;
 template <class Point, class... L> struct kinds_of_loads<Point, std::tuple<L...>> {
     static_assert(
         (SingleLoad<L, Point> && ...),
-        "tamis: an argument of loads{...} is no load: it has neither acceleration(x, v, t), nor chooses(x) and "
-        "force(x, t), nor takes(x, n) and per_area(x, n, t), nor damping(t); compare it with "
+        "tamis: an argument of loads{...} is no load: it has neither acceleration(x, v, t), nor by_fields and "
+        "acceleration_of(p, t), nor chooses(x) and force(x, t), nor takes(x, n) and per_area(x, n, t), nor damping(t); "
+        "compare it with "
         "docs/concepts/load.md");
     /// Is there anything to do for particles, per unit of mass, per particle or per face; is there for nodes?
     static constexpr bool by_mass = (Accelerates<L, Point> || ...);

@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/particles/carried.hpp>
 #include <tamis/particles/particle.hpp>
 
 #include <cstddef>
@@ -118,11 +119,14 @@ template <class S, class Shape, class Law, class List> class body {
     const lattice_type& lattice() const { return lattice_; }
     /// Renewed whenever the particles were open to changes.
     const detail::stamp& contents() const { return contents_; }
+    static constexpr bool needs_flow = detail::needs_flow<Law, Shape, List>;
+    auto& carried_nodes() { return carried_; }
 
   private:
     lattice_type lattice_;
     store_type store_;
     detail::stamp contents_;
+    [[no_unique_address]] detail::carried_nodes<S, needs_flow> carried_;
 };
 
 /// The bodies of a step, by reference.

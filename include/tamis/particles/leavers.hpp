@@ -40,7 +40,9 @@ TAMIS_NOINLINE void post_leavers(Store& store, const lattice<S, Shape>& lattice,
             bool stays = true;
             for (int d = 0; d < D; ++d) {
                 local[d] = p[d * W];
-                stays = stays && settle<Shape>(local[d], cell[static_cast<std::size_t>(d)], lattice.bins(d));
+                int& c = cell[static_cast<std::size_t>(d)];
+                const bool in = settle<Shape>(local[d], c, lattice.bins(d));
+                stays = stays && (lattice.grid().wraps(d) ? lattice.bring_back(d, c, local[d]) : in);
             }
             if (stays && lattice.inside(cell, local))
                 for (int d = 0; d < D; ++d) p[d * W] = local[d];

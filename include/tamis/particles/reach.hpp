@@ -32,6 +32,7 @@ template <class S, class Shape, class F> bool each_near_node(const detail::latti
             for (int d = 0; d < D; ++d) {
                 const auto k = static_cast<std::size_t>(d);
                 node.index[k] = cell[k] + offset[k] - detail::ghosts<Shape>;
+                if (grid.wraps(d)) node.index[k] = (node.index[k] + grid.cells(d)) % grid.cells(d);
                 exists = exists && node.index[k] >= 0 && node.index[k] <= grid.cells(d);
             }
             if (!exists) continue;

@@ -1,6 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
 #include <tamis/core/memory.hpp>
+#include <tamis/grid/wrap.hpp>
 #include <tamis/particles/body.hpp>
 
 #include <cmath>
@@ -63,13 +64,17 @@ struct block_marks {
         : reached(nodes / static_cast<std::size_t>(w) + 2), width(static_cast<std::size_t>(w)) {}
 };
 template <class Lattice> void mark_reached(const std::vector<tile>& tiles, const Lattice& lattice, block_marks& on) {
+    const auto mark = [&](std::size_t block) {
+        if (!std::exchange(on.reached[block], char(1))) on.blocks.push_back(static_cast<std::uint32_t>(block));
+    };
     for (const tile& t : tiles)
         for (int r = 0; r < Lattice::rows; ++r) {
             const std::size_t first = (t.node + lattice.row_offset(r)) / on.width;
-            for (std::size_t k = 0; k <= (on.width + Lattice::N - 2) / on.width; ++k)
-                if (!std::exchange(on.reached[first + k], char(1)))
-                    on.blocks.push_back(static_cast<std::uint32_t>(first + k));
+            for (std::size_t k = 0; k <= (on.width + Lattice::N - 2) / on.width; ++k) mark(first + k);
         }
+    reach_images(
+        lattice, [&](std::size_t place) { return on.reached[place / on.width] != 0; },
+        [&](std::size_t place) { mark(place / on.width); });
 }
 /// Ascending.
 inline std::vector<std::uint32_t> marked(block_marks& on) {

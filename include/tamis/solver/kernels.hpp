@@ -3,6 +3,7 @@
 #include <tamis/core/names.hpp>
 #include <tamis/solver/motion.hpp>
 #include <tamis/transfer/body_load.hpp>
+#include <tamis/transfer/flow.hpp>
 #include <tamis/transfer/strain.hpp>
 
 // What the passes of a step do to a particle or a node. Named types, not lambdas inside the solver: compositions that
@@ -117,12 +118,14 @@ template <class T, bool MassIsNew, bool FromMomentum, bool Keep> struct accelera
 };
 
 /// The gathered gradient strains the particles, which then move if they are to.
-template <class S, class Law, bool Move> struct strain_particles {
+template <class S, class Law, bool Move, class Look = no_flow> struct strain_particles {
     const Law& law;
     typename S::scalar dt;
-    template <class Slot>
-    TAMIS_INLINE void operator()(Slot& slot, std::uint32_t occupied, const frame<S>& at, const auto& g) const {
-        strain_slot<S>(law, slot, occupied, at, g.gradient, dt);
+    [[no_unique_address]] Look look{};
+    template <class Slot, class... Flow> TAMIS_INLINE void operator()(Slot& slot, std::uint32_t occupied,
+                                                                      const frame<S>& at, const auto& g,
+                                                                      const Flow&... flow) const {
+        strain_slot<S>(law, slot, occupied, at, g.gradient, dt, flow...);
         if constexpr (Move)
             slot.template get<field::position>() +=
                 typename S::scalar(at.inverse_spacing) * slot.template get<field::displacement>();
@@ -131,18 +134,20 @@ template <class S, class Law, bool Move> struct strain_particles {
 
 /// Nodes to particles: V', X', and the strain where it uses the same velocities (`Strains`). `Gathers`: the node fields
 /// that the update reads.
-template <class S, class Law, class Update, class Gathers, bool Strains, where_to Moves> struct update_particles {
+template <class S, class Law, class Update, class Gathers, bool Strains, where_to Moves, class Look = no_flow>
+struct update_particles {
     const Law& law;
     const Update& update;
     typename S::scalar dt, strain_dt;
-    template <class Slot, class Gathered> TAMIS_INLINE void operator()(Slot& slot,
-                                                                       [[maybe_unused]] std::uint32_t occupied,
-                                                                       const frame<S>& at, const Gathered& g) const {
+    [[no_unique_address]] Look look{};
+    template <class Slot, class Gathered, class... Flow>
+    TAMIS_INLINE void operator()(Slot& slot, [[maybe_unused]] std::uint32_t occupied, const frame<S>& at,
+                                 const Gathered& g, [[maybe_unused]] const Flow&... flow) const {
         const gathered_nodes<S, decltype(g.sums), Gathers> near{g.sums};
         const typename S::vector before = slot.template get<field::velocity>();
         const typename S::vector after = update.velocity(slot_row<S, Slot, on_particles_t<Update>>{slot, at}, near, dt);
         slot.template get<field::velocity>() = after;
-        if constexpr (Strains) strain_slot<S>(law, slot, occupied, at, g.gradient, strain_dt);
+        if constexpr (Strains) strain_slot<S>(law, slot, occupied, at, g.gradient, strain_dt, flow...);
         if constexpr (Moves != where_to::nowhere) {
             const typename S::vector moved = update.displacement(before, after, near, dt);
             if constexpr (stores<typename Slot::list, field::update_error>)

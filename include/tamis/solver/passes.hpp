@@ -66,6 +66,11 @@ template <class Solver, class... Body> struct passes {
             loads = &none;
         const to_nodes<S, typename C::shape, load, mass, Momentum, Force> kernel{*loads, mpm.time_};
         each_body([&](auto& b, auto& sweeps) { sweeps.template scatter<fields<const field::mass>, list>(b, kernel); });
+        wrap(list{});
+    }
+    /// Sums of particles at the two places of a node at a periodic wall are one.
+    template <class... F> void wrap(fields<F...> list) {
+        mpm.each_field([&](auto& field) { detail::wrap(mpm.lattice_, field.sweeps.nodes(), list); });
     }
     /// The momentum of the step's start.
     void start(double t) {
@@ -137,13 +142,15 @@ template <class Solver, class... Body> struct passes {
     /// SdV = S^T M S dv.
     void spread_increment() {
         if constexpr (C::bands)
-            if (!C::moves || mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>)
+            if ((!C::moves ||
+                 mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>)&&!any_axis_wraps(mpm.lattice_))
                 return multiply_increment();
         set_zero<field::image>();
         each_body([](auto& b, auto& sweeps) {
             sweeps.template scatter_gathered<fields<const field::mass>, fields<field::increment>, fields<field::image>>(
                 b, spread{});
         });
+        wrap(fields<field::image>{});
     }
     template <class Sum> void hold_increment(bool felt) {
         if constexpr (C::own_velocities)
@@ -182,7 +189,9 @@ template <class Solver, class... Body> struct passes {
     template <class G, bool Move> void strain(const real& part) {
         each_body([&](auto& b, auto& sweeps) {
             using law = typename std::remove_reference_t<decltype(b)>::law_type;
-            sweeps.template gather_each<fields<>, G>(b, strain_particles<S, law, Move>{b.law, T(part)});
+            const auto look = this->template look_for<G>(b, sweeps);
+            using kernel = strain_particles<S, law, Move, std::remove_const_t<decltype(look)>>;
+            sweeps.template gather_each<fields<>, G>(b, kernel{b.law, T(part), look});
         });
     }
     /// V', X', and the strain where it uses the same velocities.
@@ -214,6 +223,7 @@ template <class Solver, class... Body> struct passes {
         std::vector<real> sum(mpm.lattice_.size(), real(0));
         set_zero<field::increment>();
         column[at] = table.template column<field::inverse_mass>()[at];
+        wrap(fields<field::increment>{});
         mpm.transfer_.mass.each_term(*this, [&] {
             for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += column[k];
         });
@@ -245,9 +255,35 @@ template <class Solver, class... Body> struct passes {
     template <class Gradient, bool Strains, class B, class Sweeps>
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {
         using gathers = typename C::gathers;
-        using kernel =
-            detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains, C::particles_go>;
-        sweeps.template gather_each<gathers, Gradient>(b, kernel{b.law, mpm.transfer_.particle, dt(), strain_dt});
+        const auto look = this->template look_for<Gradient>(b, sweeps);
+        using kernel = detail::update_particles<S, typename B::law_type, typename C::update, gathers, Strains,
+                                                C::particles_go, std::remove_const_t<decltype(look)>>;
+        sweeps.template gather_each<gathers, Gradient>(b, kernel{b.law, mpm.transfer_.particle, dt(), strain_dt, look});
+    }
+    /// For a law that wants to know the flow past its particles: the nodes' means of what it carries.
+    template <class Velocity, class B, class Sweeps> auto look_for(B& b, Sweeps& sweeps) {
+        if constexpr (!B::needs_flow || std::same_as<Velocity, no_field>)
+            return no_flow{};
+        else {
+            using carries = typename B::law_type::carries;
+            auto& own = b.carried_nodes().table;
+            if (!own)
+                own = std::make_unique<typename std::remove_reference_t<decltype(own)>::element_type>(
+                    mpm.lattice_.size());
+            if (own->active() != sweeps.nodes().active()) own->set_active(sweeps.nodes().active());
+            own->template set_zero<carried>();
+            own->template set_zero<carried_volume>();
+            sweeps.template scatter_onto<fields<>, fields<carried, carried_volume>>(*own, b,
+                                                                                    carried_to_nodes<carries>{});
+            using L = lane<T>;
+            real* const mean = own->template column<carried>();
+            const real* const volume = own->template column<carried_volume>();
+            for (const std::uint32_t block : own->active()) {
+                const std::size_t place = block * static_cast<std::size_t>(S::width);
+                L::store(mean + place, L::load(mean + place) * inverse_or_zero(L::load(volume + place)));
+            }
+            return look_at_flow<S, Velocity>{*own};
+        }
     }
 
     /// What the conditions add to a full velocity that did not know of them.

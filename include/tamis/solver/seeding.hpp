@@ -68,7 +68,8 @@ void add_particle(Body& body, const Shape& functions, const point<Body::dim, typ
         for (int c = 0; c < weights::template components<one>; ++c)
             p[(slot::template first<weights>() + c) * W] = kept[c];
     }
-    p[slot::template first<field::volume>() * W] = volume;
+    if constexpr (stores<typename Body::field_list, field::volume>)
+        p[slot::template first<field::volume>() * W] = volume;
     p[slot::template first<field::mass>() * W] = density * volume;
     if constexpr (stores<typename Body::field_list, field::density>)
         p[slot::template first<field::density>() * W] = density;

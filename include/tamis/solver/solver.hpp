@@ -104,6 +104,7 @@ template <class Grid, class... Policies> class solver {
             now.each_body([](auto& b, auto& sweeps) {
                 sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(b, detail::mass_to_nodes{});
             });
+            now.wrap(fields<field::mass>{});
             now.nodes(detail::invert_mass{});
         }
         const std::vector<real> places = now.inverse_column(lattice_.node_place(node));
@@ -121,6 +122,7 @@ template <class Grid, class... Policies> class solver {
             now.each_body([](auto& b, auto& sweeps) {
                 sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(b, detail::mass_to_nodes{});
             });
+            now.wrap(fields<field::mass>{});
         }
         double lightest = std::numeric_limits<double>::infinity();
         each_field([&](auto& field) {
@@ -304,7 +306,12 @@ template <class Grid, class... Policies> class solver {
           boundary_(pick<detail::role::boundary, unbounded>(all)),
           method_(picked_method(all)),
           field_(*this),
-          contact_(pick<detail::role::contact, one_velocity>(all), lattice_) {}
+          contact_(pick<detail::role::contact, one_velocity>(all), lattice_) {
+        if ((held_type::any || C::own_velocities || C::exact) && detail::any_axis_wraps(lattice_))
+            throw error(
+                "solver: a periodic grid goes with bodies that nothing holds, in one velocity field, and no exact mass "
+                "matrix; leave the conditions or the contact out, or do not wrap the grid");
+    }
 
     static auto picked_method(const std::tuple<Policies...>& all) {
         if constexpr (C::exact)
@@ -367,7 +374,8 @@ template <class Grid, class... Policies> class solver {
                 field_of(body++).sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(
                     b, detail::mass_to_nodes{});
             });
-            each_field([](auto& field) {
+            each_field([&](auto& field) {
+                detail::wrap(lattice_, field.sweeps.nodes(), fields<field::mass>{});
                 field.held.take_masses(field.sweeps.nodes());
                 field.sweeps.each_node(detail::invert_mass::list{}, detail::invert_mass{});
             });

@@ -64,6 +64,11 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = kernel.make(slot,
     /// stencil, frame).
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter(Body& body, Kernel kernel) {
+        scatter_onto<Shown, ToNodes>(nodes_, body, kernel);
+    }
+    /// The same onto another table of nodes.
+    template <class Shown, class ToNodes, class Table, class Body, class Kernel>
+    void scatter_onto(Table& table, Body& body, Kernel kernel) {
         auto& store = body.store();
         const bool mail = store.has_mail();
         each_tile_by_colour(store, [&](tile& t) {
@@ -71,7 +76,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto& slot, const auto&, const auto& at)
                                   TAMIS_INLINE_LAMBDA { return kernel.make(slot, at); };
-            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
+            scatter_tile<Shown, ToNodes>(lattice_, table, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
                                          kernel);
         });
         if (mail) store.mail_delivered();
@@ -115,16 +120,23 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         });
     }
 
-    /// As `scatter` with made = S F for all node fields F of `Read`.
-    template <class Shown, class Read, class ToNodes, class Body, class Kernel>
+    /// As `scatter` with made = S F for all node fields F of `Read`, or what kernel.make(slot, gathered) makes of that
+    /// and of the gradient of a node field.
+    template <class Shown, class Read, class ToNodes, class Gradient = no_field, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
         each_tile_by_colour(store, [&](const tile& t) {
             const weigh_type weigh(functions_, lattice_, t);
-            const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
-                gathered<S, Read> g;
-                gather<no_field>(lattice_, nodes_, st, t.node, g);
-                return g;
+            const auto make = [&](const auto& slot, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
+                if constexpr (std::same_as<Gradient, no_field>) {
+                    gathered<S, Read> g;
+                    gather<no_field>(lattice_, nodes_, st, t.node, g);
+                    return g;
+                } else {
+                    gathered<S, Read, Gradient::template components<S>> g;
+                    gather<Gradient>(lattice_, nodes_, st, t.node, g);
+                    return kernel.make(slot, g);
+                }
             };
             scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, make,
                                          kernel);
@@ -154,8 +166,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         }
     }
 
-    /// Gathers for every slot of a body: kernel(slot, occupied, frame, gathered). Particles that are in another cell
-    /// then are posted.
+    /// Gathers for every slot of a body: kernel(slot, occupied, frame, gathered), or with what kernel.look makes of the
+    /// nodes around it as well. Particles that are in another cell then are posted.
     template <class Sums, class Gradient, class Body, class Kernel> void gather_each(Body& body, Kernel kernel) {
         auto& store = body.store();
         run_.for_each(store.slabs(), [&](std::size_t k) {
@@ -217,7 +229,10 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             weigh(st, slot);
             gathered<S, Sums> g;
             gather<Gradient>(lattice_, nodes_, st, t.node, g);
-            kernel(slot, store.occupied[s], at, g);
+            if constexpr (requires { kernel.look(lattice_, nodes_, st, t.node); })
+                kernel(slot, store.occupied[s], at, g, kernel.look(lattice_, nodes_, st, t.node));
+            else
+                kernel(slot, store.occupied[s], at, g);
             if (store.occupied[s] != Store::full) clear_empty(slot);
             if constexpr (Moves) left = left || weigh.may_have_left(slot);
         }

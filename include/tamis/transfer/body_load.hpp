@@ -68,6 +68,23 @@ typename S::vector acceleration_at(const Load& load, const Slot& slot, const typ
     }
 }
 
+/// The acceleration that a load gives a slot's particles by the fields they carry.
+template <class S, class Load, class Slot>
+TAMIS_INLINE typename S::vector acceleration_of(const Load& load, const Slot& slot, const frame<S>& at, double t) {
+    using T = typename S::scalar;
+    using row = slot_row<S, const Slot, on_particles_t<Load>>;
+    static_assert(
+        requires(row p) { load.acceleration_of(p, t); },
+        "tamis: a load by_fields has no acceleration_of(p, t) that can be called; give it `auto acceleration_of(auto "
+        "p, "
+        "double t) const`, which returns a vector of lanes");
+    typename S::vector b = load.acceleration_of(row{slot, at}, t);
+    // Empty lanes have no fields for which the load need make sense.
+    const auto there = slot.template get<field::mass>() > T(typename S::real(0));
+    for (int d = 0; d < S::dim; ++d) b[d] = select(there, b[d], T(typename S::real(0)));
+    return b;
+}
+
 /// The force of one load on a slot's particles that were chosen for it.
 template <class S, class Load>
 typename S::vector force_at(const Load& load, const typename S::scalar& share, const typename S::vector& x, double t) {
@@ -140,13 +157,18 @@ auto loading_of(const Load& load, const Slot& slot, const frame<S>& at, double t
     using real = typename S::real;
     using at_point = point<S::dim, real>;
     using kinds = load_kinds<Load, at_point>;
-    const typename S::vector x = places<S, Shape>(slot, at);
+    [[maybe_unused]] const typename S::vector x = places<S, Shape>(slot, at);
     loading<S, kinds::by_face> all;
     [[maybe_unused]] bool first = true;
     if constexpr (!kinds::by_mass) all.force.setConstant(T(real(0)));
     each_load(load, [&](auto, const auto& one) {
         if constexpr (Accelerates<std::remove_cvref_t<decltype(one)>, at_point>) {
-            const typename S::vector b = acceleration_at<S>(one, slot, x, t);
+            const typename S::vector b = [&] {
+                if constexpr (FieldLoad<std::remove_cvref_t<decltype(one)>>)
+                    return acceleration_of<S>(one, slot, at, t);
+                else
+                    return acceleration_at<S>(one, slot, x, t);
+            }();
             if (std::exchange(first, false))
                 all.force = b;
             else

@@ -3,10 +3,12 @@
 
 namespace tamis::detail {
 
-/// What particles gather from nodes: S F for every field of a list, and the gradient of one field.
-template <class S, class List> struct gathered {
+/// What particles gather from nodes: S F for every field of a list, and the gradient of one field of so many
+/// components.
+template <class S, class List, int Components = S::dim> struct gathered {
     values<S, List> sums;
-    typename S::tensor gradient;  // (c, d): slope along axis d of component c
+    // (c, d): slope along axis d of component c
+    Eigen::Matrix<typename S::scalar, Components, S::dim, S::align> gradient;
 };
 
 /// No gradient wanted.
@@ -14,9 +16,9 @@ struct no_field {};
 
 /// Gathers at place `first` (that of lane 0's first node). Components outside, rows inside: few sums at once, so they
 /// fit in sixteen registers.
-template <class Gradient, class S, class Shape, class Nodes, class... F>
+template <class Gradient, class S, class Shape, class Nodes, class... F, int Components>
 TAMIS_INLINE void gather(const lattice<S, Shape>& lattice, const Nodes& nodes, const stencil<S, Shape::support>& st,
-                         std::size_t first, gathered<S, fields<F...>>& to) {
+                         std::size_t first, gathered<S, fields<F...>, Components>& to) {
     using T = typename S::scalar;
     using real = typename S::real;
     using L = lane<T>;

@@ -35,13 +35,12 @@ template <class From, class To> struct copy_field {
     using list = fields<const From, To>;
     TAMIS_INLINE void operator()(auto i) const { i[To{}] = i[From{}]; }
 };
-/// dv becomes A dv = dv - m^-1 S^T M S dv, and is added to `To`.
-template <class To> struct next_increment {
-    using list = fields<const field::inverse_mass, const field::image, field::increment, To>;
+/// dv becomes A dv = dv - m^-1 S^T M S dv, and is added to `To`; dv is in `Term`, S^T M S dv in `Image`.
+template <class To, class Term = field::increment, class Image = field::image> struct next_increment {
+    using list = fields<const field::inverse_mass, const Image, Term, To>;
     TAMIS_INLINE void operator()(auto i) const {
-        using namespace symbols;
-        i[dv] -= i[im] * i[Sdv];
-        i[To{}] += i[dv];
+        i[Term{}] -= i[symbols::im] * i[Image{}];
+        i[To{}] += i[Term{}];
     }
 };
 /// dv becomes A dv, where nothing is summed.
@@ -89,13 +88,15 @@ template <class T> struct add_acceleration {
 /// S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist 2021). By increments: the sum with alternating
 /// binomials is the same in exact arithmetic, but loses k log10(2) digits. `felt`: do particles feel what conditions
 /// take from the increments?
-template <class To, class Pass> void add_term(bool felt, Pass& pass) {
+template <class To, class Term = field::increment, class Image = field::image, class Pass>
+void add_term(bool felt, Pass& pass) {
     pass.spread_increment();
-    pass.nodes(next_increment<To>{});
+    pass.nodes(next_increment<To, Term, Image>{});
     pass.template hold_increment<To>(felt);
 }
-template <class To, class Pass> void add_series(int terms, bool felt, Pass& pass) {
-    for (int l = 1; l < terms; ++l) add_term<To>(felt, pass);
+template <class To, class Term = field::increment, class Image = field::image, class Pass>
+void add_series(int terms, bool felt, Pass& pass) {
+    for (int l = 1; l < terms; ++l) add_term<To, Term, Image>(felt, pass);
 }
 
 }  // namespace detail

@@ -47,10 +47,10 @@ TAMIS_NOINLINE void stress_lane_by_lane(const Law& law, Slot& slot, std::uint32_
 }
 
 /// Strains the particles of a slot by the velocity gradient over dt: the kinematic fields somebody asked for, then the
-/// law.
-template <class S, class Law, class Slot>
+/// law, which is told of the flow where it carries something.
+template <class S, class Law, class Slot, class... Flow>
 TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied, const frame<S>& at,
-                              const typename S::tensor& gradient, const typename S::scalar& dt) {
+                              const typename S::tensor& gradient, const typename S::scalar& dt, const Flow&... flow) {
     using T = typename S::scalar;
     using tensor = typename S::tensor;
     using list = typename Slot::list;
@@ -65,7 +65,14 @@ TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied
         slot.template get<field::deformation>() = F + dt * (gradient * F);
     }
     using row = slot_row<S, Slot, on_particles_t<Law>>;
-    if constexpr (!LaneByLane<Law> && requires(row r) { law.stress(r, gradient, dt); }) {
+    if constexpr (sizeof...(Flow) > 0) {
+        static_assert(
+            requires(row r) { law.stress(r, gradient, dt, flow...); },
+            "tamis: a law with `carries` is told of the flow past particles that are held; give it `template <class "
+            "Tensor> Tensor stress(auto p, const Tensor& grad_v, auto dt, const auto& flow) const`, in lanes");
+        const tensor tau = law.stress(row{slot, at}, gradient, dt, flow...);
+        pack<S>(slot.template get<field::stress>(), tau);
+    } else if constexpr (!LaneByLane<Law> && requires(row r) { law.stress(r, gradient, dt); }) {
         const tensor tau = law.stress(row{slot, at}, gradient, dt);
         pack<S>(slot.template get<field::stress>(), tau);
     } else

@@ -1,0 +1,136 @@
+#include "report_scene.hpp"
+
+#include "support/gas_wave.hpp"
+#include "support/shock_tube.hpp"
+
+#include <cmath>
+
+namespace {
+
+outcome run_wave(const configuration& what) {
+    gas_wave_options o;
+    o.cells = what.cells;
+    o.per_cell = what.per_cell;
+    o.shape = what.shape;
+    o.update = what.update;
+    o.order = what.order > 0 ? what.order : 1;
+    o.stress = what.stress;
+    o.particles = what.particles;
+    o.courant = what.courant;
+    // ADMPM takes the rate of pressure at a fixed point for moving particles too.
+    o.rate = is_admpm(what) && what.particles == "moving" ? "admpm" : "motion";
+    o.drive = "smooth";
+    o.amplitude = 1e-5;
+    o.times = {1.4};
+    const gas_wave_result r = run_gas_wave(o);
+    const gas_wave_record& end = r.records.back();
+    outcome found;
+    found.error_velocity = end.velocity_l2;
+    found.error_other = end.pressure_l2;
+    found.error = std::sqrt((end.velocity_l2 * end.velocity_l2 + end.pressure_l2 * end.pressure_l2) / 2);
+    found.energy_error = (end.kinetic + end.internal - end.boundary_work) / end.boundary_work;
+    found.seconds = r.wall_seconds;
+    found.steps = r.steps;
+    found.particle_count = r.particles.size();
+    return found;
+}
+
+outcome run_tube(const configuration& what) {
+    shock_tube_options o;
+    o.set.cells = what.cells;
+    o.set.per_cell = what.per_cell;
+    o.set.courant = what.courant;
+    o.shape = what.shape;
+    o.update = what.update;
+    o.order = what.order > 0 ? what.order : 1;
+    o.stress = what.stress;
+    const shock_tube_result r = run_shock_tube(o);
+    const double fastest = riemann::solution(o.set.gamma, o.set.left, o.set.right).velocity();
+    outcome found;
+    found.error = found.error_other = r.density_l1 / o.set.left.density;
+    found.error_velocity = r.velocity_l1 / fastest;
+    found.energy_error = r.energy_end / r.energy_start - 1;
+    found.seconds = r.wall_seconds;
+    found.steps = r.steps;
+    found.particle_count = r.particles.size();
+    return found;
+}
+
+}  // namespace
+
+report_scene gas_wave_report_scene() {
+    report_scene all;
+    all.name = "gas_wave";
+    all.title = "Sound in a driven gas";
+    all.about =
+        "An ideal gas (gamma = 1) in a tube: its right end moves with v0 sin^3 10t, its left end is fixed; the sound "
+        "has "
+        "come back from there when the run ends, at t = 1.4. v0 is 1e-5 of the speed of sound. For moving particles "
+        "ADMPM's "
+        "way takes the rate of pressure at a fixed point.";
+    all.error_is =
+        "Error: root of the mean square of velocity and pressure errors over the particles at the end, each relative "
+        "to "
+        "the amplitude of the sound. Energy: kinetic and internal less the work of the driven end, over that work.";
+    all.other_is = "pressure";
+    const std::vector<int> cells{38, 75, 150, 300};
+    for (auto* list : {&all.quick, &all.full}) {
+        const bool full = list == &all.full;
+        const std::vector<std::string> stresses{"usl-", "usavg-"}, motions{"moving", "held"};
+        const std::vector<double> courants = full ? std::vector<double>{0.1, 0.25, 0.5} : std::vector<double>{0.1, 0.5};
+        const std::vector<int> per_cells = full ? std::vector<int>{2, 4} : std::vector<int>{2};
+        add(*list, all.name,
+            {{"linear"},
+             {{"flip", 0}, {"xpic", 2}, {"fmpm", 2}, {"fmpm", 4}},
+             full ? std::vector<std::string>{"usl-", "usavg-", "usf", "usl+"} : stresses,
+             motions,
+             per_cells,
+             courants,
+             cells});
+        add(*list, all.name,
+            {{"quadratic"}, {{"flip", 0}, {"fmpm", 2}, {"fmpm", 4}}, stresses, motions, per_cells, courants, cells});
+        add(*list, all.name, {{"linear"}, {{"flip", 0}}, {"euler"}, motions, {2}, {0.1, 0.01, 0.001}, cells});
+    }
+    all.run = run_wave;
+    all.shown = [](const configuration& c) {
+        return c.particles == "moving" && c.per_cell == 2 &&
+               ((is_admpm(c) && c.courant == 0.01) || (c.stress == "usl-" && c.courant == 0.1));
+    };
+    return all;
+}
+
+report_scene shock_tube_report_scene() {
+    report_scene all;
+    all.name = "shock_tube";
+    all.title = "Shock tube (Sod)";
+    all.about =
+        "A dense gas at rest and a thin one meet at x = 1/2: a shock, a contact and a rarefaction leave the place. The "
+        "gases have artificial viscosity, particles move. ADMPM has no such scene.";
+    all.error_is =
+        "Error: mean absolute error of the density at the end over the tube, relative to the density of the left gas. "
+        "No "
+        "scheme is better than first order at a shock.";
+    all.other_is = "density";
+    const std::vector<int> cells{50, 100, 200, 400};
+    add(all.quick, all.name,
+        {{"linear", "quadratic", "cubic"},
+         {{"flip", 0}, {"xpic", 2}, {"fmpm", 2}, {"fmpm", 4}},
+         {"usl-", "usavg-"},
+         {"moving"},
+         {4},
+         {0.2, 0.4},
+         cells});
+    add(all.full, all.name,
+        {{"linear", "quadratic", "cubic"},
+         {{"pic", 0}, {"flip", 0}, {"xpic", 2}, {"xpic", 4}, {"fmpm", 2}, {"fmpm", 4}, {"fmpm", 8}},
+         {"usl-", "usavg-", "usf", "usl+"},
+         {"moving"},
+         {2, 4, 6},
+         {0.1, 0.2, 0.4},
+         {50, 100, 200, 400, 800}});
+    all.run = run_tube;
+    all.shown = [](const configuration& c) {
+        return c.stress == "usavg-" && c.courant == 0.2 && c.per_cell == 4 && c.order != 8 && c.update != "pic";
+    };
+    return all;
+}

@@ -1,0 +1,33 @@
+#include "report_scene.hpp"
+
+#include <cmath>
+#include <iterator>
+
+double work_of(const report_scene& scene, const configuration& what) {
+    return std::pow(what.cells, scene.dim + 1) * std::pow(what.per_cell, scene.dim) / what.courant *
+           (1 + 0.4 * what.order);
+}
+
+void add(std::vector<configuration>& to, const std::string& scene, const sweep& all) {
+    for (const auto& shape : all.shapes)
+        for (const auto& [update, order] : all.updates)
+            for (const auto& stress : all.stresses)
+                for (const auto& boundary : all.boundaries)
+                    for (const auto& particles : all.particles)
+                        for (const int per_cell : all.per_cells)
+                            for (const double courant : all.courants)
+                                for (const int cells : all.cells)
+                                    to.push_back({scene, shape, update, order, stress, boundary, particles, cells,
+                                                  per_cell, courant});
+}
+
+std::vector<report_scene> report_scenes() {
+    std::vector<report_scene> all = bar_report_scenes();
+    all.push_back(bi_material_report_scene());
+    all.push_back(gas_wave_report_scene());
+    all.push_back(shock_tube_report_scene());
+    for (const char* profile : {"sine", "step"}) all.push_back(advection_report_scene(profile));
+    all.push_back(manufactured_report_scene(2));
+    all.push_back(manufactured_report_scene(3));
+    return all;
+}

@@ -1,0 +1,12 @@
+#include "manufactured_run.hpp"
+
+using namespace tamis;
+
+const std::vector<manufactured::compiled>& manufactured::compiled_3d() {
+    static const std::vector<compiled> all{
+        {{"cpgimp", "flip", "usl-"}, run<3, cpgimp, flip, usl_minus>},
+        {{"quadratic", "flip", "usl-"}, run<3, quadratic_spline, flip, usl_minus>},
+        {{"quadratic", "fmpm", "usl-"}, run<3, quadratic_spline, fmpm<dynamic>, usl_minus>},
+    };
+    return all;
+}

@@ -1,0 +1,49 @@
+#pragma once
+#include <tamis/conservation/taylor_galerkin.hpp>
+#include <tamis/solver/integrate.hpp>
+
+namespace tamis {
+
+/// Steps a Taylor-Galerkin scheme from span.begin to span.end; as `integrate` of a solver. Stable Courant numbers are
+/// in docs/taylor-galerkin.md.
+template <class G, class L, class... P, class... Observer>
+long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, fixed_steps steps, Observer&&... observers) {
+    using real = typename G::real;
+    if (!(span.end > span.begin))
+        throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
+    if (steps.count < 1)
+        throw error(detail::sentence("integrate: ", steps.count, " steps; give fixed_steps{1} or more"));
+    const double dt = (span.end - span.begin) / static_cast<double>(steps.count);
+    const double h = detail::to_double(scheme.grid().spacing());
+    scheme.start_at(span.begin);
+    progress_state state{0, steps.count, span.begin, span};
+    (detail::tell(observers, state), ...);
+    for (long k = 1; k <= steps.count; ++k) {
+        if ((k - 1) % 100 == 0) {
+            scheme.check_finite(dt);
+            detail::check_courant(scheme.wave_speed() * dt / h, steps.limit, dt, k - 1, state.time);
+        }
+        const double end = k == steps.count ? span.end : span.begin + dt * static_cast<double>(k);
+        scheme.step(real(dt), end);
+        state.step = k;
+        state.time = end;
+        (detail::tell(observers, state), ...);
+    }
+    scheme.check_finite(dt);
+    return steps.count;
+}
+
+/// The same with equal steps of the Courant number that the start has, at most.
+template <class G, class L, class... P, class... Observer>
+long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, courant pace, Observer&&... observers) {
+    if (!(pace.number > 0 && pace.number <= pace.limit))
+        throw error(detail::sentence("integrate: the Courant number is ", pace.number,
+                                     "; give a positive one, not above the limit of ", pace.limit));
+    const double h = detail::to_double(scheme.grid().spacing());
+    const double wanted = (span.end - span.begin) * scheme.wave_speed() / (pace.number * h);
+    if (!(wanted < 1e15)) throw error("integrate: the law's wave speed is not finite; check the law and the states");
+    const long steps = std::max(1L, static_cast<long>(std::ceil(wanted * (1 - 1e-12))));
+    return integrate(scheme, span, fixed_steps{steps, pace.limit}, observers...);
+}
+
+}  // namespace tamis

@@ -1,0 +1,342 @@
+#pragma once
+// Not part of tamis.hpp: a scheme of its own beside the solver.
+#include <tamis/conservation/ends.hpp>
+#include <tamis/conservation/kernels.hpp>
+#include <tamis/grid/wrap.hpp>
+#include <tamis/particles/reach.hpp>
+#include <tamis/solver/checks.hpp>
+#include <tamis/solver/kernels.hpp>
+#include <tamis/solver/seeding.hpp>
+#include <tamis/solver/sweeps.hpp>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace tamis {
+
+/// The two-step Taylor-Galerkin scheme for a conservation law u_t + div F(u) = 0, with particles as the quadrature
+/// points (Molinos 2019; docs/taylor-galerkin.md). The unknowns are those of the nodes; particles stay where they are.
+///
+///     u_p = S u - dt/2 div_p F(u),    M (u' - u) = dt (sum V_p G_p F(u_p) - boundary flux)
+///
+/// M is the mass matrix of the volumes, S^T V S: `lumped_mass`, or `full_mass<k>` by k terms as in FMPM(k). Second
+/// order. In one dimension with an `end` at each wall, or periodic (`grid.wrapped(0)`); in two and three dimensions
+/// periodic only.
+///
+///     const conservation::advection<> law{{1.}};
+///     taylor_galerkin scheme{uniform_grid{{0.}, {1.}, 0.01}.wrapped(0), law, per_cell{2}, linear{}, full_mass<4>{}};
+///     scheme.set([](const auto& at) { return std::sin(2 * std::numbers::pi * at[0]); });
+///     integrate(scheme, interval{0, 1}, courant{0.4});
+template <class Grid, ConservationLaw Law, ShapeFunction Shape = linear, class Mass = lumped_mass,
+          class Ends = conservation::ends<>, ExecutionPolicy Execution = serial, class Lanes = native_lanes>
+class taylor_galerkin {
+    static_assert(
+        std::same_as<Mass, lumped_mass> || detail::is_full_mass<Mass>,
+        "tamis: the mass matrix of taylor_galerkin is lumped_mass{}, full_mass<k>{} or full_mass<dynamic>{k}");
+
+  public:
+    using real = typename Grid::real;
+    using S = space<Grid::dim, typename Lanes::template type<real>>;
+    using T = typename S::scalar;
+    static constexpr int dim = Grid::dim, count = Law::unknowns;
+    using place_type = point<dim, real>;
+    using state_type = conservation::state<count, real>;
+
+    /// Throws `error` if there is no particle, or if the ends do not go with the grid.
+    taylor_galerkin(const Grid& grid, const Law& law, per_cell particles, const Shape& shape = {},
+                    const Mass& mass = {}, const Ends& ends = {}, const Execution& run = {}, const Lanes& = {})
+        : taylor_galerkin(grid, law, detail::points_in(grid, everywhere, particles.count),
+                          volume_of(grid, particles.count), shape, mass, ends, run) {}
+    /// Particles of the given volume at each point.
+    taylor_galerkin(const Grid& grid, const Law& law, const std::vector<place_type>& points, const real& volume,
+                    const Shape& shape = {}, const Mass& mass = {}, const Ends& ends = {}, const Execution& run = {},
+                    const Lanes& = {})
+        : law_(law),
+          shape_(shape),
+          mass_(mass),
+          ends_(ends),
+          run_(run),
+          lattice_(grid),
+          particles_({}, lattice_),
+          sweeps_(shape_, lattice_, run_) {
+        if constexpr (requires { law.check(); }) law.check();
+        detail::add_particles<false>(particles_, shape_, points, volume);
+        particles_.store().template arrange<lattice_type::N>();
+        activate_nodes();
+        weigh_nodes();
+        find_walls();
+    }
+    taylor_galerkin(const taylor_galerkin&) = delete;
+    taylor_galerkin& operator=(const taylor_galerkin&) = delete;
+
+    const Grid& grid() const { return lattice_.grid(); }
+    const Law& law() const { return law_; }
+    double time() const { return time_; }
+    long steps() const { return steps_; }
+    /// Number of particles.
+    std::size_t size() const { return particles_.size(); }
+    static constexpr std::size_t bytes_per_particle() { return body_type::bytes_per_particle(); }
+    static constexpr std::size_t bytes_per_node() {
+        return sizeof(real) * static_cast<std::size_t>(sweeps_type::nodes_type::components);
+    }
+
+    /// A run begins at time t: steps and gains are counted from here. At the time where the scheme stands it goes on.
+    void start_at(double t) {
+        if (steps_ > 0 && t == time_) return;
+        time_ = t;
+        steps_ = 0;
+        gain_.setZero();
+    }
+    /// Unknowns of the nodes, f(place): a vector, or a number where there is one unknown.
+    template <class F> void set(const F& f) {
+        std::array<int, 3> first{0, 0, 0}, end{1, 1, 1};
+        for (int d = 0; d < dim; ++d) {
+            first[at(d)] = -detail::ghosts<Shape>;
+            end[at(d)] = lattice_.places_along(d) - detail::ghosts<Shape>;
+        }
+        std::array<int, 3> node;
+        for (node[2] = first[2]; node[2] < end[2]; ++node[2])
+            for (node[1] = first[1]; node[1] < end[1]; ++node[1])
+                for (node[0] = first[0]; node[0] < end[0]; ++node[0]) {
+                    const std::size_t place = lattice_.node_place(node);
+                    if (!(inverse_mass(place) > real(0))) continue;
+                    std::array<int, 3> here = node;
+                    for (int d = 0; d < dim; ++d)
+                        if (grid().wraps(d)) here[at(d)] = (node[at(d)] + grid().cells(d)) % grid().cells(d);
+                    put<unknowns>(place, detail::as_state<state_type>(f(grid().node(here))));
+                }
+        start_at(time_);
+        hold<unknowns>(time_);
+        gain_.setZero();
+    }
+
+    /// One step of dt (s).
+    void step(const real& dt) { step(dt, time_ + detail::to_double(dt)); }
+    /// The same, for a step that ends at the given time.
+    void step(const real& dt, double end) {
+        detail::check_step(detail::to_double(dt), time_, end);
+        const real half = dt / real(2);
+        each_node(detail::flux_of_nodes<S, Law>{law_});
+        sweeps_.nodes().template set_zero<rate>();
+        const detail::flux_to_nodes<S, Law> kernel{law_, T(half)};
+        sweeps_.template scatter_gathered<fields<const field::mass>, fields<unknowns>, fields<rate>, fluxes>(particles_,
+                                                                                                             kernel);
+        detail::wrap(lattice_, sweeps_.nodes(), fields<rate>{});
+        flow_through_walls(dt, half, time_ + (end - time_) / 2);
+        if constexpr (Mass::full) {
+            each_node(detail::first_term<T, count>{T(dt)});
+            hold_change(end);
+            pass series{*this, end};
+            detail::add_series<change, term, rate>(mass_.terms(), true, series);
+            each_node(detail::add_change<count>{});
+        } else {
+            each_node(detail::add_rate<T, count>{T(dt)});
+            hold<unknowns>(end);
+        }
+        time_ = end;
+        ++steps_;
+    }
+
+    /// The unknowns of node (i, j, k).
+    state_type on_node(const std::array<int, 3>& node) const { return get<unknowns>(lattice_.node_place(node)); }
+    /// The volume of node (i, j, k), its row of the mass matrix added up (m^dim).
+    real mass_of_node(const std::array<int, 3>& node) const {
+        const real inverse = inverse_mass(lattice_.node_place(node));
+        return inverse > real(0) ? real(1) / inverse : real(0);
+    }
+    /// f(place, u) for every particle, u = S u there.
+    template <class F> void each_particle(F f) const {
+        for (const auto p : particles_) {
+            const place_type where = p[symbols::x];
+            state_type u = state_type::Zero();
+            each_near_node(lattice_, shape_, where, [&](const auto& node) {
+                u += node.weight * get<unknowns>(lattice_.node_place(node.index));
+            });
+            f(where, std::as_const(u));
+        }
+    }
+    /// Integral of the unknowns, sum m u over nodes.
+    state_type total() const {
+        state_type sum = state_type::Zero();
+        each_own_node([&](const auto& node) { sum += mass_of_node(node) * on_node(node); });
+        return sum;
+    }
+    /// What has come in through the ends since the start: fluxes, and what held unknowns were given. `total()` grows by
+    /// it, to round-off.
+    const state_type& gain() const { return gain_; }
+    /// The fastest disturbance at the nodes (m/s).
+    double wave_speed() const {
+        if constexpr (requires { law_.wave_speed(); }) return static_cast<double>(law_.wave_speed());
+        double most = 0;
+        each_own_node([&](const auto& node) {
+            if (mass_of_node(node) > real(0)) most = std::max(most, detail::wave_speed_at(law_, on_node(node)));
+        });
+        return most;
+    }
+    /// Throws `error` if an unknown is not a number.
+    void check_finite(double dt) const {
+        each_own_node([&](const auto& node) {
+            const state_type u = on_node(node);
+            if (!std::isfinite(detail::to_double(u.sum())))
+                throw error(detail::sentence(
+                    "node at (", detail::list_of(grid().node(node)), "), step ", steps_, ", t = ", time_, ": (",
+                    detail::list_of(u), ") is no state. Likely causes: a time step above the stability limit (dt = ",
+                    dt, "), or a law that gave what is not a number"));
+        });
+    }
+
+  private:
+    /// Mass is volume.
+    struct volumes {
+        double density = 1;
+    };
+    using unknowns = field::unknowns<count>;
+    using fluxes = field::fluxes<count>;
+    using change = field::change<count>;
+    using term = field::change_term<count>;
+    using rate = field::rate<count>;
+    using node_fields = merge<fields<field::mass, unknowns, fluxes, rate>,
+                              std::conditional_t<Mass::full, fields<change, term>, fields<>>>;
+    using sweeps_type = detail::sweeps<S, Shape, node_fields, Execution, false>;
+    using lattice_type = typename sweeps_type::lattice_type;
+    using body_type = body<S, Shape, volumes, fields<detail::held_weights<Shape>, field::mass>>;
+    /// An end of a line: its node, and the functions there.
+    struct wall {
+        std::size_t node;
+        std::vector<std::size_t> places;
+        std::vector<real> weights, slopes;
+    };
+    /// What the mass policy's series sees.
+    struct pass {
+        taylor_galerkin& of;
+        double end;
+        template <class Kernel> void nodes(Kernel kernel) { of.each_node(kernel); }
+        void spread_increment() {
+            of.sweeps_.nodes().template set_zero<rate>();
+            of.sweeps_.template scatter_gathered<fields<const field::mass>, fields<term>, fields<rate>>(
+                of.particles_, detail::spread_term<count>{});
+            detail::wrap(of.lattice_, of.sweeps_.nodes(), fields<rate>{});
+        }
+        template <class> void hold_increment(bool) { of.hold_change(end); }
+    };
+
+    Law law_;
+    Shape shape_;
+    Mass mass_;
+    Ends ends_;
+    Execution run_;
+    lattice_type lattice_;
+    body_type particles_;
+    sweeps_type sweeps_;
+    std::vector<wall> walls_;
+    state_type gain_ = state_type::Zero();
+    double time_ = 0;
+    long steps_ = 0;
+
+    static constexpr std::size_t at(int d) { return static_cast<std::size_t>(d); }
+    static real volume_of(const Grid& grid, int particles) {
+        real volume(1);
+        for (int d = 0; d < dim; ++d) volume *= grid.spacing() / real(particles);
+        return volume;
+    }
+    template <class Kernel> void each_node(Kernel kernel) { sweeps_.each_node(typename Kernel::list{}, kernel); }
+    /// Nodes of the grid, those of a periodic axis once.
+    template <class F> void each_own_node(F f) const {
+        grid().each_node([&](const std::array<int, 3>& node) {
+            for (int d = 0; d < dim; ++d)
+                if (grid().wraps(d) && node[at(d)] == grid().cells(d)) return;
+            f(node);
+        });
+    }
+    real inverse_mass(std::size_t place) const { return sweeps_.nodes().template column<field::inverse_mass>()[place]; }
+    template <class F> state_type get(std::size_t place) const {
+        state_type u;
+        for (int c = 0; c < count; ++c) u[c] = sweeps_.nodes().template column<F>(c)[place];
+        return u;
+    }
+    template <class F> void put(std::size_t place, const state_type& u) {
+        for (int c = 0; c < count; ++c) sweeps_.nodes().template column<F>(c)[place] = u[c];
+    }
+
+    void activate_nodes() {
+        detail::block_marks on(lattice_.size(), S::width);
+        detail::mark_reached(particles_.store().tiles, lattice_, on);
+        sweeps_.nodes().set_active(detail::marked(on));
+    }
+    void weigh_nodes() {
+        sweeps_.template scatter<fields<const field::mass>, fields<field::mass>>(particles_, detail::mass_to_nodes{});
+        detail::wrap(lattice_, sweeps_.nodes(), fields<field::mass>{});
+        each_node(detail::invert_mass{});
+    }
+    void find_walls() {
+        bool open = false;
+        for (int d = 0; d < dim; ++d) open = open || !grid().wraps(d);
+        if constexpr (dim > 1) {
+            if (open)
+                throw error(
+                    "taylor_galerkin: in two and three dimensions the grid must be periodic; wrap all its axes, "
+                    "grid.wrapped(0).wrapped(1)");
+        } else if (open) {
+            for (const int node : {0, grid().cells(0)}) {
+                wall w{lattice_.node_place({node, 0, 0}), {}, {}, {}};
+                if (!(inverse_mass(w.node) > real(0)))
+                    throw error(detail::sentence("taylor_galerkin: no particle reaches the end at ",
+                                                 grid().node({node, 0, 0})[0], "; place particles up to both ends"));
+                each_near_node(lattice_, shape_, grid().node({node, 0, 0}), [&](const auto& near) {
+                    w.places.push_back(lattice_.node_place(near.index));
+                    w.weights.push_back(near.weight);
+                    w.slopes.push_back(near.slope[0]);
+                });
+                walls_.push_back(w);
+            }
+        }
+    }
+    /// The state at end k, of what the inside brings to it.
+    state_type state_at(std::size_t k, const state_type& inside, double t) const {
+        return k == 0 ? detail::as_state<state_type>(ends_.low(inside, t))
+                      : detail::as_state<state_type>(ends_.high(inside, t));
+    }
+    void flow_through_walls(const real& dt, const real& half, double t) {
+        for (std::size_t k = 0; k < walls_.size(); ++k) {
+            const wall& w = walls_[k];
+            state_type inside = state_type::Zero();
+            for (std::size_t j = 0; j < w.places.size(); ++j) {
+                inside += w.weights[j] * get<unknowns>(w.places[j]);
+                for (int c = 0; c < count; ++c)
+                    inside[c] -= half * w.slopes[j] * sweeps_.nodes().template column<fluxes>(c)[w.places[j]];
+            }
+            state_type in = law_.flux(state_at(k, inside, t), 0);
+            if (k == 1) in = -in;
+            put<rate>(w.node, get<rate>(w.node) + in);
+            gain_ += dt * in;
+        }
+    }
+    /// The unknowns take what the ends hold.
+    template <class F> void hold(double t) {
+        for (std::size_t k = 0; k < walls_.size(); ++k) {
+            const std::size_t node = walls_[k].node;
+            const state_type u = get<F>(node), held_u = state_at(k, u, t);
+            gain_ += (held_u - u) / inverse_mass(node);
+            put<F>(node, held_u);
+        }
+    }
+    /// The term at hand, which `change` has already, takes what the ends hold.
+    void hold_change(double t) {
+        for (std::size_t k = 0; k < walls_.size(); ++k) {
+            const std::size_t node = walls_[k].node;
+            const state_type u = get<unknowns>(node) + get<change>(node), more = state_at(k, u, t) - u;
+            gain_ += more / inverse_mass(node);
+            put<change>(node, get<change>(node) + more);
+            put<term>(node, get<term>(node) + more);
+        }
+    }
+};
+
+template <class Grid, class Law, class... Rest> taylor_galerkin(const Grid&, const Law&, per_cell, const Rest&...)
+    -> taylor_galerkin<Grid, Law, Rest...>;
+template <class Grid, class Law, class Points, class Volume, class... Rest>
+taylor_galerkin(const Grid&, const Law&, const Points&, const Volume&, const Rest&...)
+    -> taylor_galerkin<Grid, Law, Rest...>;
+
+}  // namespace tamis
