@@ -1,6 +1,7 @@
 // Critical Courant numbers by composition, from the exact Jacobian of a step: the table that `integrate` uses.
 //     stability --header include/tamis/solver/critical_table.hpp     writes it (ten minutes)
-//     stability [--csv FILE]                                         prints it, with 2 particles per cell or all in FILE
+//     stability [--csv FILE]                                         prints it, with 2 particles per cell or all in
+//     FILE
 #include <tamis/solver/critical_rows.hpp>
 #include <tamis/stability/critical.hpp>
 #include <tamis/observe/atomic_file.hpp>
@@ -68,8 +69,7 @@ void write_header(std::ostream& out, const rows& of) {
         const std::string heading = std::string(r.shape) + ", " + std::string(r.order);
         if (r.update == "flip") out << "    // " << heading << "\n";
         out << "    {{";
-        for (std::size_t n = 0; n < r.per_cell.size(); ++n)
-            out << (n ? ", " : "") << thousandths(r.per_cell[n].inner);
+        for (std::size_t n = 0; n < r.per_cell.size(); ++n) out << (n ? ", " : "") << thousandths(r.per_cell[n].inner);
         out << "}, {";
         for (std::size_t n = 0; n < r.per_cell.size(); ++n)
             out << (n ? ", " : "") << thousandths(r.per_cell[n].free_end);

@@ -82,12 +82,13 @@ extreme_outcome scales_exactly(const std::string& name, const wave& scaled, cons
         largest = std::max(largest, std::abs(difference));
         same = same && difference == 0;
     }
-    return {name, "velocities over their unit are the same, bit for bit", same ? "the same" : "off by " + short_number(largest),
-            same, what};
+    return {name, "velocities over their unit are the same, bit for bit",
+            same ? "the same" : "off by " + short_number(largest), same, what};
 }
 
 /// Two bars end to end that a wave crosses: energy, and what comes back and goes on.
-extreme_outcome two_bars(const std::string& name, double young, double density, double tolerance, const std::string& why) {
+extreme_outcome two_bars(const std::string& name, double young, double density, double tolerance,
+                         const std::string& why) {
     const linear_elastic soft{.young = 1, .poisson = 0, .density = 1};
     const linear_elastic hard{.young = young, .poisson = 0, .density = density};
     const fixed ends{[](const auto& at) { return at[0] <= 0 || at[0] >= 1; }};
@@ -139,7 +140,8 @@ extreme_outcome particle_on_node() {
         good = good && where() == start && std::abs(start - place) <= ulp;
     }
     found = good ? "all 7 stay" : "one moved";
-    return {"particle on a node, on a wall, and an ulp beside", "put there to an ulp of the box, and at rest it stays, exactly", found, good,
+    return {"particle on a node, on a wall, and an ulp beside",
+            "put there to an ulp of the box, and at rest it stays, exactly", found, good,
             "A place is kept as cell and offset, so that a point on a wall belongs to the cell inside."};
 }
 
@@ -192,7 +194,8 @@ extreme_outcome many_per_cell(int per_cell) {
     const wave_answer found = run_wave<double>(set);
     const bool damped = per_cell == 1;
     // One particle in the middle of a cell: FMPM(1) damps by design.
-    return {std::to_string(per_cell) + " particles per cell", damped ? "finite, energy does not grow" : "velocity error below 1 %",
+    return {std::to_string(per_cell) + " particles per cell",
+            damped ? "finite, energy does not grow" : "velocity error below 1 %",
             "velocity error " + short_number(found.velocity_error) + ", energy " + short_number(found.energy_change),
             damped ? found.energy_change <= 1e-9 : found.velocity_error < 0.01,
             damped ? "FMPM(1) is PIC, which damps." : "More particles than the grid can see do no harm."};
@@ -250,7 +253,8 @@ extreme_outcome drift() {
     }
     return {"1e6 steps (12500 periods), FMPM(8)", "energy between 0.95 and 1.05 of the start's at all times",
             "between " + short_number(least) + " and " + short_number(most), least > 0.95 && most < 1.05,
-            "A step loses (1 - lambda)^8 of the wave, lambda near 1 for waves that the grid resolves. FLIP loses 1e-3 of its energy in every period of so coarse a bar, and all of it in 12500."};
+            "A step loses (1 - lambda)^8 of the wave, lambda near 1 for waves that the grid resolves. FLIP loses 1e-3 "
+            "of its energy in every period of so coarse a bar, and all of it in 12500."};
 }
 
 extreme_outcome float_against_double() {
@@ -273,8 +277,8 @@ extreme_outcome denormal_speed() {
         const double usual = run_wave<double>(normal).seconds;
         ratio = std::min(ratio, run_wave<double>(tiny).seconds / usual);
     }
-    return {"denormal velocities (1e-312 m/s)", "the same run takes at most twice as long", "ratio " + short_number(ratio),
-            ratio < 2,
+    return {"denormal velocities (1e-312 m/s)", "the same run takes at most twice as long",
+            "ratio " + short_number(ratio), ratio < 2,
             "Best of five pairs of runs, one after the other. The library does not switch denormals off: that is the "
             "program's choice (-ffast-math or the processor's register)."};
 }
@@ -315,8 +319,14 @@ std::vector<extreme_case> extreme_bars() {
     const auto add = [&](const std::string& name, std::function<extreme_outcome()> run, bool quick = true) {
         all.push_back({name, quick, std::move(run)});
     };
-    add("modulus ratio", [] { return two_bars("modulus ratio 1e6", 1e6, 1, 0.01, "The step is that of the faster bar."); }, false);
-    add("density ratio", [] { return two_bars("density ratio 1e4", 1, 1e4, 0.02, "Waves in the heavy bar are 100 times slower, so what goes on is a fifth of a cell long: the grid does not resolve it, which costs 0.015 of what comes back."); });
+    add(
+        "modulus ratio",
+        [] { return two_bars("modulus ratio 1e6", 1e6, 1, 0.01, "The step is that of the faster bar."); }, false);
+    add("density ratio", [] {
+        return two_bars("density ratio 1e4", 1, 1e4, 0.02,
+                        "Waves in the heavy bar are 100 times slower, so what goes on is a fifth of a cell long: the "
+                        "grid does not resolve it, which costs 0.015 of what comes back.");
+    });
     const auto scaled = [](double mass, double time, double length) {
         wave set;
         set.mass = mass;

@@ -31,12 +31,13 @@ extreme_outcome nearly_incompressible(double nu) {
     const double change = energy() / before - 1;
     double largest = 0;
     for (const auto p : std::as_const(square)) largest = std::max(largest, p[v].norm());
-    return {"Poisson's ratio " + std::to_string(nu).substr(0, 6) + ", 2D",
-            "finite; energy does not grow; no speed above twice the start's",
-            "energy " + short_number(change) + ", speed " + short_number(largest) + ", " + std::to_string(steps) + " steps",
-            change < 0.01 && largest < 2e-3,
-            "P waves are " + short_number(law.wave_speed(2)) +
-                " m/s and set the step. The grid resolves a vortex of 8 cells badly, and locks: it loses energy."};
+    return {
+        "Poisson's ratio " + std::to_string(nu).substr(0, 6) + ", 2D",
+        "finite; energy does not grow; no speed above twice the start's",
+        "energy " + short_number(change) + ", speed " + short_number(largest) + ", " + std::to_string(steps) + " steps",
+        change < 0.01 && largest < 2e-3,
+        "P waves are " + short_number(law.wave_speed(2)) +
+            " m/s and set the step. The grid resolves a vortex of 8 cells badly, and locks: it loses energy."};
 }
 
 extreme_outcome spinning(const std::string& scheme_name, const auto& scheme, double share_kept) {
@@ -45,26 +46,28 @@ extreme_outcome spinning(const std::string& scheme_name, const auto& scheme, dou
     auto square = mpm.make_body(
         law, [](const auto& at) { return std::abs(at[0] - 8) < 4 && std::abs(at[1] - 8) < 4; }, per_cell{2});
     const double omega = 0.05;
-    set_velocity_of(square, [&](const auto& at) { return point<2, double>(-omega * (at[1] - 8), omega * (at[0] - 8)); });
+    set_velocity_of(square,
+                    [&](const auto& at) { return point<2, double>(-omega * (at[1] - 8), omega * (at[0] - 8)); });
     const auto spin = [&] {
-        return sum_over(square, [](const auto& p) {
-            return p[m] * ((p[x][0] - 8) * p[v][1] - (p[x][1] - 8) * p[v][0]);
-        });
+        return sum_over(square,
+                        [](const auto& p) { return p[m] * ((p[x][0] - 8) * p[v][1] - (p[x][1] - 8) * p[v][0]); });
     };
     const double before = spin();
     std::string failure;
     try {
-        integrate(mpm, bodies(square), interval{0, 10 * 2 * std::numbers::pi / omega}, courant{0.4}, [](const warning&) {});
+        integrate(mpm, bodies(square), interval{0, 10 * 2 * std::numbers::pi / omega}, courant{0.4},
+                  [](const warning&) {});
     } catch (const error& e) {
         failure = e.what();
     }
     const double kept = failure.empty() ? spin() / before : 0;
-    return {"a square spins for 10 turns, " + scheme_name,
-            "no more than " + short_number(100 * (1 - share_kept)) + " % of the angular momentum lost",
-            failure.empty() ? short_number(kept) + " of it is left" : failure, kept > share_kept && kept < 1.01,
-            "Forces act by the lumped mass, whose moment at the edge is another than theirs, and updates by S v lose a "
-            "share of the rotation in every step (docs/open-questions.md, Rotation). There is no update here that keeps "
-            "angular momentum (APIC does)."};
+    return {
+        "a square spins for 10 turns, " + scheme_name,
+        "no more than " + short_number(100 * (1 - share_kept)) + " % of the angular momentum lost",
+        failure.empty() ? short_number(kept) + " of it is left" : failure, kept > share_kept && kept < 1.01,
+        "Forces act by the lumped mass, whose moment at the edge is another than theirs, and updates by S v lose a "
+        "share of the rotation in every step (docs/open-questions.md, Rotation). There is no update here that keeps "
+        "angular momentum (APIC does)."};
 }
 
 extreme_outcome strong_shock() {

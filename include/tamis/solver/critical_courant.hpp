@@ -51,14 +51,14 @@ template <> inline constexpr int critical_order<usavg_plus> = 2;
 enum class critical_family { none, flip, xpic, fmpm };
 template <class Mass, class Update> inline constexpr critical_family critical_family_of = critical_family::none;
 template <> inline constexpr auto critical_family_of<lumped_mass, tamis::add_acceleration> = critical_family::flip;
-template <> inline constexpr auto critical_family_of<lumped_mass, tamis::add_acceleration_modified> = critical_family::flip;
+template <> inline constexpr auto critical_family_of<lumped_mass, tamis::add_acceleration_modified> =
+    critical_family::flip;
 template <> inline constexpr auto critical_family_of<lumped_mass, set_velocity> = critical_family::fmpm;
-template <int K>
-inline constexpr auto critical_family_of<filtered_mass<K>, set_filtered_velocity> = critical_family::xpic;
-template <int K>
-inline constexpr auto critical_family_of<full_mass<K>, set_velocity_move_by_mean> = critical_family::fmpm;
-template <>
-inline constexpr auto critical_family_of<adaptive_mass, set_velocity_move_by_mean> = critical_family::fmpm;
+template <int K> inline constexpr auto critical_family_of<filtered_mass<K>, set_filtered_velocity> =
+    critical_family::xpic;
+template <int K> inline constexpr auto critical_family_of<full_mass<K>, set_velocity_move_by_mean> =
+    critical_family::fmpm;
+template <> inline constexpr auto critical_family_of<adaptive_mass, set_velocity_move_by_mean> = critical_family::fmpm;
 
 /// Row of the first order k of `known` that is not below k, and of the one before: numbers in between lie in between.
 template <std::size_t N> std::pair<int, int> critical_rows(const int (&known)[N], int k) {
@@ -73,8 +73,7 @@ inline critical_courant smaller(const critical_courant& a, const critical_couran
 }
 
 /// Numbers of a composition with so many particles per cell along an axis; none if the table does not know it.
-template <class C>
-std::optional<critical_courant> critical_of(const typename C::transfer& transfer, double per_cell) {
+template <class C> std::optional<critical_courant> critical_of(const typename C::transfer& transfer, double per_cell) {
     constexpr int shape = critical_shape<typename C::shape>, order = critical_order<typename C::order>;
     constexpr critical_family family = critical_family_of<typename C::mass, typename C::update>;
     if constexpr (shape < 0 || order < 0 || family == critical_family::none ||

@@ -99,9 +99,10 @@ template <class... Body> void check_finite(const std::tuple<Body&...>& all, long
                 }
             }
             if (!std::isfinite(sum))
-                why = sentence("its velocity or stress is not a number. Likely causes: a time step above the stability "
-                               "limit (dt = ",
-                               dt, "), or a law that returned one", why.empty() ? "" : ". Its law says: ", why);
+                why = sentence(
+                    "its velocity or stress is not a number. Likely causes: a time step above the stability "
+                    "limit (dt = ",
+                    dt, "), or a law that returned one", why.empty() ? "" : ". Its law says: ", why);
             if (!why.empty())
                 throw error(sentence("particle ", k, " at (", list_of(p[symbols::x]), "), step ", steps, ", t = ", time,
                                      ": ", why));
@@ -174,7 +175,7 @@ template <class Solver> std::string composition_of(const Solver& mpm) {
 template <class Solver>
 void check_courant(const Solver& mpm, double number, const step_limit& limit, double dt, long step, double t) {
     if (number <= limit.inner) return;
-    const char* why = limit.given  ? " that was given"
+    const char* why = limit.given   ? " that was given"
                       : limit.known ? ": small waves inside the body would grow"
                                     : ": nothing is known of a smaller one";
     throw error(sentence("step ", step, ", t = ", t, ": the Courant number (c + |V|) dt/h is ", number,

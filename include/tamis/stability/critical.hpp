@@ -22,15 +22,15 @@ inline constexpr double most_courant = 2;
 /// Do the numbers at free ends fall to 0 with the mass of the lightest node? Linear functions have a slope of 1/h
 /// however small they are: USL- and USAVG- strain a particle by the velocity that its own force gave a node of hardly
 /// any mass.
-template <class Shape, class Order>
-inline constexpr bool falls_with_mass = std::same_as<Shape, linear> && Order::after > 0 && !Order::remap;
+template <class Shape, class Order> inline constexpr bool falls_with_mass =
+    std::same_as<Shape, linear>&& Order::after > 0 && !Order::remap;
 
 /// How many cells a step carries a disturbance.
 template <class Shape> constexpr int reach_of(int k) { return (k < 1 ? 1 : k) * (Shape::support - 1) + 3; }
 
 /// Of an endless body whose particles sit at one place in their cells.
-template <class... Policies> double critical_inner(int per_cell, double offset, int reach, double most,
-                                                   const Policies&... policies) {
+template <class... Policies>
+double critical_inner(int per_cell, double offset, int reach, double most, const Policies&... policies) {
     const lattice_step<1> step(lattice<1>{per_cell, offset}, reach, policies...);
     constexpr int waves = 16;
     for (int n = waves; n > 0; --n) {
@@ -47,8 +47,7 @@ critical_pair critical_numbers(int per_cell, int k, const Shape& shape, const Up
     // To half a particle's distance: what is beyond is a mirror image, or the same.
     for (int place = 0; place <= 10; ++place) {
         const double offset = place / 20. / per_cell;
-        const double critical =
-            critical_inner(per_cell, offset, reach_of<Shape>(k), found.inner, shape, update, order);
+        const double critical = critical_inner(per_cell, offset, reach_of<Shape>(k), found.inner, shape, update, order);
         if (critical < found.inner) found.inner = critical, found.worst_offset = offset;
     }
     const auto at_free_end = [&](double offset) {

@@ -20,11 +20,12 @@ template <int Dim> struct lattice {
 template <int Dim> class lattice_step {
   public:
     using wave_numbers = std::array<double, static_cast<std::size_t>(Dim)>;
-    
+
     /// `reach`: how many cells a disturbance goes in a step, at most.
     template <class... Policies> lattice_step(const lattice<Dim>& set, int reach, const Policies&... policies)
         : side_(2 * reach + 1) {
-        for (int k = 0; k < matrix::samples; ++k) at_[static_cast<std::size_t>(k)] = blocks_at(set, matrix::sample(k), policies...);
+        for (int k = 0; k < matrix::samples; ++k)
+            at_[static_cast<std::size_t>(k)] = blocks_at(set, matrix::sample(k), policies...);
     }
     /// What a wave of the given numbers (radians per cell) is multiplied by, for every time step.
     auto of_wave(const wave_numbers& theta) const {

@@ -16,7 +16,7 @@ struct particle_number : scalar_field {
     static constexpr std::string_view name = "particle_number";
 };
 /// Values of a particle that a step of small waves changes: velocities, then stresses, those of the diagonal first.
-template <int Dim> inline constexpr int values_of = Dim + Dim * (Dim + 1) / 2;
+template <int Dim> inline constexpr int values_of = Dim + Dim*(Dim + 1) / 2;
 
 namespace detail {
 
@@ -33,12 +33,11 @@ template <int Dim, class Particle> auto& value_of(const Particle& p, int value) 
 /// values of all. For held particles and Hooke's law a step is linear in them, so these are its matrix's columns
 /// exactly; that of moving ones is the same around a body at rest without stress (tests/unit/stability). P waves have
 /// speed 1, density is 1, nodes are 1 apart in a box of `cells` per axis without conditions.
-template <int Dim, class... Policies>
-Eigen::MatrixXd responses(const std::vector<point<Dim, double>>& places, double volume, int cells, double poisson,
-                          int first, int count, double dt, const Policies&... policies) {
+template <int Dim, class... Policies> Eigen::MatrixXd responses(const std::vector<point<Dim, double>>& places,
+                                                                double volume, int cells, double poisson, int first,
+                                                                int count, double dt, const Policies&... policies) {
     const double nu = poisson;
-    const linear_elastic law{
-        .young = Dim == 1 ? 1 : (1 + nu) * (1 - 2 * nu) / (1 - nu), .poisson = nu, .density = 1};
+    const linear_elastic law{.young = Dim == 1 ? 1 : (1 + nu) * (1 - 2 * nu) / (1 - nu), .poisson = nu, .density = 1};
     double lower[Dim], upper[Dim];
     for (int d = 0; d < Dim; ++d) lower[d] = 0, upper[d] = cells;
     solver mpm{uniform_grid<Dim, double>{lower, upper, 1.}, policies..., held{}, one_lane{}};

@@ -92,9 +92,9 @@ TEST_CASE("integrate: steps beyond the stability limit are refused, with the ste
 TEST_CASE("integrate: without a number steps are a share of the composition's limit") {
     scene s;
     // Waves of speed 2, cells of 1/4: 8 steps at a Courant number of 1. FLIP with one particle per cell: sqrt(1/2).
-    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{}) == 13);                 // 8/(0.9 0.707)
-    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{.safety = 0.5}) == 23);    // 8/(0.5 0.707)
-    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{{}, 0.5, 0.5}) == 32);     // 8/(0.5 0.5)
+    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{}) == 13);               // 8/(0.9 0.707)
+    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{.safety = 0.5}) == 23);  // 8/(0.5 0.707)
+    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{{}, 0.5, 0.5}) == 32);   // 8/(0.5 0.5)
     CHECK(s.mpm.warnings().empty());
     CHECK(names(refusal({0, 1}, courant{.safety = 1.5}), "safety factor is 1.5"));
     // The limit of orders that are not in the table is 1.
