@@ -127,6 +127,7 @@ step_limit limit_of(Solver& mpm, const std::tuple<Body&...>& all, const std::opt
     if (given) {
         limit.inner = limit.free_end = *given;
         limit.given = true;
+        return limit;
     }
     if constexpr (requires { mpm.lightest_free_node(all); }) {
         using C = typename Solver::composition_type;
@@ -154,7 +155,7 @@ step_limit limit_of(Solver& mpm, const std::tuple<Body&...>& all, const std::opt
         std::apply([&](const auto&... b) { (one(b), ...); }, std::as_const(all));
         if (!known || !numbers) return limit;
         limit.known = true;
-        if (!given) limit.inner = limit.free_end = std::min(1., numbers->inner);
+        limit.inner = limit.free_end = std::min(1., numbers->inner);
         limit.share = mpm.lightest_free_node(all) / lightest;
         // Corners of a box have 2^-D.
         if (limit.share < 0.5 * std::pow(0.5, D))
@@ -216,8 +217,8 @@ template <class Observer> void tell(Observer& observer, const progress_state& st
         observer(state.time);
     else
         static_assert(takes_warnings<Observer>,
-                      "tamis: an observer of integrate is called with the time, f(double t), with a progress_state, "
-                      "or with a warning; this one takes none of them");
+                      "tamis: an observer of integrate is called with the time, "
+                      "f(double t), or with a progress_state; this one takes neither");
 }
 
 }  // namespace detail
