@@ -2,13 +2,15 @@
 //     stability --header include/tamis/solver/critical_table.hpp     writes it (ten minutes)
 //     stability [--csv FILE]                                         prints it, with 2 particles per cell or all in
 //     FILE
-#include <tamis/solver/critical_rows.hpp>
-#include <tamis/stability/critical.hpp>
 #include <tamis/observe/atomic_file.hpp>
 #include <tamis/shape/gimp.hpp>
+#include <tamis/stability/critical.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -89,22 +91,67 @@ void write_csv(std::ostream& out, const rows& of) {
                 << r.per_cell[n].worst_free_offset << '\n';
 }
 
+/// The smallest number over waves along all axes and between, some offsets along all axes, and Poisson's ratios.
+template <int Dim, class... Policies> void dimension(const char* name, int reach, const Policies&... policies) {
+    constexpr int waves = Dim == 3 ? 2 : 4, all = detail::power(waves + 1, Dim);
+    for (const int per_cell : {1, 2}) {
+        double worst = stability::most_courant;
+        std::array<double, static_cast<std::size_t>(Dim)> worst_wave{};
+        for (const double poisson : Dim == 1 ? std::vector{0.} : std::vector{0., 0.3, 0.499})
+            for (const double offset : {0., 0.25, 0.5}) {
+                const stability::lattice_step<Dim> step(stability::lattice<Dim>{per_cell, offset / per_cell, poisson},
+                                                        reach, policies...);
+                for (int n = 1; n < all; ++n) {
+                    std::array<double, static_cast<std::size_t>(Dim)> theta{};
+                    for (std::size_t d = 0, left = static_cast<std::size_t>(n); d < Dim; ++d, left /= waves + 1)
+                        theta[d] = std::numbers::pi * static_cast<double>(left % (waves + 1)) / waves;
+                    // Axes are alike.
+                    if (!std::is_sorted(theta.rbegin(), theta.rend())) continue;
+                    const auto wave = step.of_wave(theta);
+                    const double critical = stability::first_unstable(
+                        worst, 0.1, [&](double c) { return stability::spectral_radius_of(wave, c) <= 1 + 1e-4; });
+                    if (critical < worst) worst = critical, worst_wave = theta;
+                }
+            }
+        std::printf("%dD %s, %d per cell and axis: %.3f, wave", Dim, name, per_cell, worst);
+        for (const double theta : worst_wave) std::printf(" %.2f", theta / std::numbers::pi);
+        std::puts(" pi");
+    }
+}
+template <int Dim> void dimension() {
+    dimension<Dim>("linear, FLIP, USL-", Dim == 3 ? 2 : 4, linear{}, flip{}, usl_minus{});
+    dimension<Dim>("quadratic, FLIP, USL-", Dim == 3 ? 3 : 5, quadratic_spline{}, flip{}, usl_minus{});
+    if constexpr (Dim < 3) {
+        dimension<Dim>("linear, FMPM(4), USL-", 7, linear{}, fmpm<dynamic>{4}, usl_minus{});
+        dimension<Dim>("quadratic, FMPM(4), USL-", 11, quadratic_spline{}, fmpm<dynamic>{4}, usl_minus{});
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     std::string header, csv;
+    bool dimensions = false;
     for (int k = 1; k < argc; ++k) {
         const std::string_view given = argv[k];
         if (given == "--csv" && k + 1 < argc)
             csv = argv[++k];
         else if (given == "--header" && k + 1 < argc)
             header = argv[++k];
+        else if (given == "--dimensions")
+            dimensions = true;
         else {
-            std::fputs("usage: stability [--header FILE] [--csv FILE]\n", stderr);
+            std::fputs("usage: stability [--header FILE] [--csv FILE] | --dimensions\n", stderr);
             return 2;
         }
     }
     try {
+        if (dimensions) {
+            dimension<1>();
+            dimension<2>();
+            dimension<3>();
+            return 0;
+        }
         std::optional<atomic_file> header_file, csv_file;
         if (!header.empty()) header_file.emplace(header);
         if (!csv.empty()) csv_file.emplace(csv);

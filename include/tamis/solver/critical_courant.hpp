@@ -50,15 +50,17 @@ template <> inline constexpr int critical_order<usavg_plus> = 2;
 
 enum class critical_family { none, flip, xpic, fmpm };
 template <class Mass, class Update> inline constexpr critical_family critical_family_of = critical_family::none;
-template <> inline constexpr auto critical_family_of<lumped_mass, tamis::add_acceleration> = critical_family::flip;
-template <> inline constexpr auto critical_family_of<lumped_mass, tamis::add_acceleration_modified> =
+template <> inline constexpr critical_family critical_family_of<lumped_mass, tamis::add_acceleration> =
     critical_family::flip;
-template <> inline constexpr auto critical_family_of<lumped_mass, set_velocity> = critical_family::fmpm;
-template <int K> inline constexpr auto critical_family_of<filtered_mass<K>, set_filtered_velocity> =
+template <> inline constexpr critical_family critical_family_of<lumped_mass, tamis::add_acceleration_modified> =
+    critical_family::flip;
+template <> inline constexpr critical_family critical_family_of<lumped_mass, set_velocity> = critical_family::fmpm;
+template <int K> inline constexpr critical_family critical_family_of<filtered_mass<K>, set_filtered_velocity> =
     critical_family::xpic;
-template <int K> inline constexpr auto critical_family_of<full_mass<K>, set_velocity_move_by_mean> =
+template <int K> inline constexpr critical_family critical_family_of<full_mass<K>, set_velocity_move_by_mean> =
     critical_family::fmpm;
-template <> inline constexpr auto critical_family_of<adaptive_mass, set_velocity_move_by_mean> = critical_family::fmpm;
+template <> inline constexpr critical_family critical_family_of<adaptive_mass, set_velocity_move_by_mean> =
+    critical_family::fmpm;
 
 /// Row of the first order k of `known` that is not below k, and of the one before: numbers in between lie in between.
 template <std::size_t N> std::pair<int, int> critical_rows(const int (&known)[N], int k) {
