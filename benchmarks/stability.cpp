@@ -1,7 +1,6 @@
 // Critical Courant numbers by composition, from the exact Jacobian of a step: the table that `integrate` uses.
-//     stability --header include/tamis/solver/critical_table.hpp     writes it (ten minutes)
-//     stability [--csv FILE]                                         prints it, with 2 particles per cell or all in
-//     FILE
+//     stability --header include/tamis/solver/critical_table.hpp     writes it (a minute)
+//     stability [--csv FILE]     prints it for 2 particles per cell; all in FILE
 #include <tamis/observe/atomic_file.hpp>
 #include <tamis/shape/gimp.hpp>
 #include <tamis/stability/critical.hpp>
