@@ -26,7 +26,8 @@ struct progress_state {
 };
 
 /// What `integrate` says of a step that is between the limits of free ends and of inner nodes. Observers that take a
-/// `const warning&` are told; if there is none, the sentence goes to standard error. Once in a solver's life.
+/// `const warning&` and nothing else are told; if there is none, the sentence goes to standard error. Once in a
+/// solver's life.
 struct warning {
     std::string sentence;
     double number, limit;  // Courant numbers: the step's, and the one at free ends
@@ -188,7 +189,10 @@ void check_courant(const Solver& mpm, double number, const step_limit& limit, do
 /// such places in a few steps, so a tenth of the inner limit is kept.
 inline double automatic_number(const step_limit& limit) { return std::max(limit.free_end, 0.1 * limit.inner); }
 
-template <class Observer> inline constexpr bool takes_warnings = std::invocable<Observer&, const warning&>;
+/// Asked in this order, for a generic observer is not to be tried with a warning.
+template <class Observer>
+concept TakesWarnings = !std::invocable<Observer&, double> && !std::invocable<Observer&, const progress_state&> &&
+                        std::invocable<Observer&, const warning&>;
 
 /// Says once that steps are too large for a free end.
 template <class Solver, class... Observer>
@@ -199,14 +203,15 @@ void warn_of_free_end(Solver& mpm, double number, const step_limit& limit, doubl
             sentence("tamis: ", composition_of(mpm), ": the Courant number ", number, " is above ", limit.free_end,
                      ", beyond which disturbances may grow at a free end, for a node there has only ", limit.share,
                      " of an inner node's mass; take steps of at most ", dt * limit.free_end / number,
-                     ", or usf, usl_plus or usavg_plus, or splines instead of linear functions (docs/stability.md)"),
+                     ", or strain by particles' velocities (usf, usl_plus, usavg_plus), or take smoother functions "
+                     "(docs/stability.md)"),
             number, limit.free_end};
         mpm.warn(all.sentence);
         const auto one = [&](auto& observer) {
-            if constexpr (takes_warnings<std::remove_reference_t<decltype(observer)>>) observer(all);
+            if constexpr (TakesWarnings<std::remove_reference_t<decltype(observer)>>) observer(all);
         };
         (one(observers), ...);
-        if constexpr (!(takes_warnings<Observer> || ...)) std::fprintf(stderr, "%s\n", all.sentence.c_str());
+        if constexpr (!(TakesWarnings<Observer> || ...)) std::fprintf(stderr, "%s\n", all.sentence.c_str());
     }
 }
 
@@ -216,7 +221,7 @@ template <class Observer> void tell(Observer& observer, const progress_state& st
     else if constexpr (std::invocable<Observer&, double>)
         observer(state.time);
     else
-        static_assert(takes_warnings<Observer>,
+        static_assert(TakesWarnings<Observer>,
                       "tamis: an observer of integrate is called with the time, "
                       "f(double t), or with a progress_state; this one takes neither");
 }
