@@ -1,12 +1,15 @@
-// Critical Courant numbers by composition, from the exact Jacobian of a step: fixed ends, and free ends at the worst
-// place of the particles in their cells. USL+ and USAVG+ have USF's numbers (tests/unit/stability): a step of theirs is
-// the same from another starting point.
-//     stability [--csv FILE] [--full]
-#include <tamis/stability/stability.hpp>
-#include <tamis/tamis.hpp>
+// Critical Courant numbers by composition, from the exact Jacobian of a step: the table that `integrate` uses.
+//     stability --header include/tamis/solver/critical_table.hpp     writes it (a minute)
+//     stability [--csv FILE]     prints it for 2 particles per cell; all in FILE
+#include <tamis/observe/atomic_file.hpp>
+#include <tamis/shape/gimp.hpp>
+#include <tamis/stability/critical.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,93 +18,161 @@
 namespace {
 
 using namespace tamis;
-using stability::bar;
+using stability::critical_pair;
 
-constexpr double most = 2, tolerance = 3e-5;
-
-struct limits {
-    double fixed, free, worst_offset;
+struct row {
+    std::string_view shape, order, update;
+    int k;
+    std::vector<critical_pair> per_cell;  // 1, 2, ...
 };
 
-class table {
+class rows {
   public:
-    table(bool full, const std::string& csv) : full_(full) {
-        if (csv.empty()) return;
-        file_.emplace(csv);
-        file_->out() << "shape,update,order,stress,per_cell,fixed,free,worst_offset\n";
-    }
-    template <class Shape, class Update, class Order>
-    void row(const Shape& shape, const Update& update, int k, const Order& order) {
-        for (const int per_cell : full_ ? std::vector{1, 2, 3, 4} : std::vector{2}) {
-            const limits found = find(per_cell, shape, update, order);
-            std::printf("| %-9s | %-5s | %2d | %-7s | %d | %6.3f | %6.3f | %5.2f |\n", Shape::name.data(),
-                        Update::name.data(), k, Order::name.data(), per_cell, found.fixed, found.free,
-                        found.worst_offset);
-            if (file_)
-                file_->out() << Shape::name << ',' << Update::name << ',' << k << ',' << Order::name << ',' << per_cell
-                             << ',' << found.fixed << ',' << found.free << ',' << found.worst_offset << '\n';
-        }
-    }
-    void commit() {
-        if (file_) file_->commit();
-    }
+    std::vector<row> all;
 
-  private:
-    bool full_;
-    std::optional<atomic_file> file_;
-
-    template <class... Policy> limits find(int per_cell, const Policy&... policies) const {
-        limits found{stability::critical_courant(bar{16, per_cell}, most, tolerance, policies...), most, 0};
-        const int places = full_ ? 50 : 20;
-        for (int place = 0; place < places; ++place) {
-            const double offset = static_cast<double>(place) / places;
-            // Only what is below the worst so far is looked for.
-            const double critical =
-                stability::critical_courant(bar{8, per_cell, offset, true}, found.free, tolerance, policies...);
-            if (critical < found.free) {
-                found.free = critical;
-                found.worst_offset = offset;
-            }
-        }
-        return found;
+    template <class Shape, class Order> void add_shape(const Shape& shape_of, const Order& order) {
+        const auto one = [&](const auto& update, int k) {
+            row r{decltype(shape_of(1))::name, Order::name, update.name, k, {}};
+            for (int n = 1; n <= detail::critical_per_cell; ++n)
+                r.per_cell.push_back(stability::critical_numbers(n, k, shape_of(n), update, order));
+            std::fprintf(stderr, "%s %s %s %d: %.3f %.3f\n", r.shape.data(), r.order.data(), r.update.data(), k,
+                         r.per_cell[1].inner, r.per_cell[1].free_end);
+            all.push_back(std::move(r));
+        };
+        one(flip{}, 0);
+        for (const int k : detail::critical_xpic) one(xpic<dynamic>{k}, k);
+        for (const int k : detail::critical_fmpm) one(fmpm<dynamic>{k}, k);
+    }
+    template <class Shape> void add(const Shape& shape_of) {
+        add_shape(shape_of, usl_minus{});
+        add_shape(shape_of, usavg_minus{});
+        add_shape(shape_of, usf{});
+    }
+    /// uGIMP strains last only.
+    void add_ugimp() {
+        add_shape([](int n) { return ugimp{n}; }, usl_minus{});
     }
 };
 
-template <class Shape, class Order> void updates(table& to, const Shape& shape, const Order& order) {
-    to.row(shape, flip{}, 0, order);
-    for (const int k : {2, 4}) to.row(shape, xpic<dynamic>{k}, k, order);
-    for (const int k : {1, 2, 4, 8, 16}) to.row(shape, fmpm<dynamic>{k}, k, order);
+/// Rounded down.
+int thousandths(double number) { return static_cast<int>(number * 1000); }
+
+void write_header(std::ostream& out, const rows& of) {
+    out << "#pragma once\n#include <tamis/solver/critical_rows.hpp>\n\n"
+           "// Made by `stability --header FILE` (benchmarks/stability.cpp); do not change it by hand.\n"
+           "// clang-format off\n\n"
+           "namespace tamis::detail {\n\n"
+           "/// Critical Courant numbers in thousandths, rounded down: inside a body and at free ends, for 1, 2, 3, 4\n"
+           "/// particles per cell along an axis (docs/stability.md).\n"
+           "inline constexpr critical_row critical_table[] = {\n";
+    std::string_view before;
+    for (const row& r : of.all) {
+        const std::string heading = std::string(r.shape) + ", " + std::string(r.order);
+        if (r.update == "flip") out << "    // " << heading << "\n";
+        out << "    {{";
+        for (std::size_t n = 0; n < r.per_cell.size(); ++n) out << (n ? ", " : "") << thousandths(r.per_cell[n].inner);
+        out << "}, {";
+        for (std::size_t n = 0; n < r.per_cell.size(); ++n)
+            out << (n ? ", " : "") << thousandths(r.per_cell[n].free_end);
+        out << "}},  // " << r.update;
+        if (r.k > 0) out << "(" << r.k << ")";
+        out << "\n";
+    }
+    out << "};\n\n}  // namespace tamis::detail\n";
 }
-template <class Shape> void orders(table& to, const Shape& shape) {
-    updates(to, shape, usf{});
-    updates(to, shape, usl_minus{});
-    updates(to, shape, usavg_minus{});
+
+void write_csv(std::ostream& out, const rows& of) {
+    out << "shape,stress,update,k,per_cell,inner,worst_offset,free,worst_free_offset\n";
+    for (const row& r : of.all)
+        for (std::size_t n = 0; n < r.per_cell.size(); ++n)
+            out << r.shape << ',' << r.order << ',' << r.update << ',' << r.k << ',' << n + 1 << ','
+                << r.per_cell[n].inner << ',' << r.per_cell[n].worst_offset << ',' << r.per_cell[n].free_end << ','
+                << r.per_cell[n].worst_free_offset << '\n';
+}
+
+/// The smallest number over waves along all axes and between, some offsets along all axes, and Poisson's ratios.
+template <int Dim, class... Policies> void dimension(const char* name, int reach, const Policies&... policies) {
+    constexpr int waves = Dim == 3 ? 2 : 4, all = detail::power(waves + 1, Dim);
+    for (const int per_cell : {1, 2}) {
+        double worst = stability::most_courant;
+        std::array<double, static_cast<std::size_t>(Dim)> worst_wave{};
+        for (const double poisson : Dim == 1 ? std::vector{0.} : std::vector{0., 0.3, 0.499})
+            for (const double offset : {0., 0.25, 0.5}) {
+                const stability::lattice_step<Dim> step(stability::lattice<Dim>{per_cell, offset / per_cell, poisson},
+                                                        reach, policies...);
+                for (int n = 1; n < all; ++n) {
+                    std::array<double, static_cast<std::size_t>(Dim)> theta{};
+                    for (std::size_t d = 0, left = static_cast<std::size_t>(n); d < Dim; ++d, left /= waves + 1)
+                        theta[d] = std::numbers::pi * static_cast<double>(left % (waves + 1)) / waves;
+                    // Axes are alike.
+                    if (!std::is_sorted(theta.rbegin(), theta.rend())) continue;
+                    const auto wave = step.of_wave(theta);
+                    const double critical = stability::first_unstable(
+                        worst, 0.1, [&](double c) { return stability::spectral_radius_of(wave, c) <= 1 + 1e-4; });
+                    if (critical < worst) worst = critical, worst_wave = theta;
+                }
+            }
+        std::printf("%dD %s, %d per cell and axis: %.3f, wave", Dim, name, per_cell, worst);
+        for (const double theta : worst_wave) std::printf(" %.2f", theta / std::numbers::pi);
+        std::puts(" pi");
+    }
+}
+template <int Dim> void dimension() {
+    dimension<Dim>("linear, FLIP, USL-", Dim == 3 ? 2 : 4, linear{}, flip{}, usl_minus{});
+    dimension<Dim>("quadratic, FLIP, USL-", Dim == 3 ? 3 : 5, quadratic_spline{}, flip{}, usl_minus{});
+    if constexpr (Dim < 3) {
+        dimension<Dim>("linear, FMPM(4), USL-", 7, linear{}, fmpm<dynamic>{4}, usl_minus{});
+        dimension<Dim>("quadratic, FMPM(4), USL-", 11, quadratic_spline{}, fmpm<dynamic>{4}, usl_minus{});
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    bool full = false;
-    std::string csv;
+    std::string header, csv;
+    bool dimensions = false;
     for (int k = 1; k < argc; ++k) {
         const std::string_view given = argv[k];
-        if (given == "--full")
-            full = true;
-        else if (given == "--csv" && k + 1 < argc)
+        if (given == "--csv" && k + 1 < argc)
             csv = argv[++k];
+        else if (given == "--header" && k + 1 < argc)
+            header = argv[++k];
+        else if (given == "--dimensions")
+            dimensions = true;
         else {
-            std::fputs("usage: stability [--csv FILE] [--full]\n", stderr);
+            std::fputs("usage: stability [--header FILE] [--csv FILE] | --dimensions\n", stderr);
             return 2;
         }
     }
     try {
-        table to(full, csv);
-        std::puts("| shape | update | k | stress | particles per cell | fixed ends | free ends | worst offset |");
+        if (dimensions) {
+            dimension<1>();
+            dimension<2>();
+            dimension<3>();
+            return 0;
+        }
+        std::optional<atomic_file> header_file, csv_file;
+        if (!header.empty()) header_file.emplace(header);
+        if (!csv.empty()) csv_file.emplace(csv);
+        rows all;
+        all.add([](int) { return linear{}; });
+        all.add([](int) { return quadratic_spline{}; });
+        all.add([](int) { return cubic_spline{}; });
+        all.add_ugimp();
+        std::puts("| shape | stress | update | k | inside | worst offset | free ends | worst offset |");
         std::puts("|---|---|---|---|---|---|---|---|");
-        orders(to, linear{});
-        orders(to, quadratic_spline{});
-        orders(to, cubic_spline{});
-        to.commit();
+        for (const row& r : all.all)
+            std::printf("| %-9s | %-7s | %-5s | %2d | %6.3f | %5.3f | %6.3f | %5.3f |\n", r.shape.data(),
+                        r.order.data(), r.update.data(), r.k, r.per_cell[1].inner, r.per_cell[1].worst_offset,
+                        r.per_cell[1].free_end, r.per_cell[1].worst_free_offset);
+        if (header_file) {
+            write_header(header_file->out(), all);
+            header_file->commit();
+        }
+        if (csv_file) {
+            write_csv(csv_file->out(), all);
+            csv_file->commit();
+        }
     } catch (const std::exception& e) {
         std::fprintf(stderr, "stability: %s\n", e.what());
         return 1;

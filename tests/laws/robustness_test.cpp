@@ -210,7 +210,7 @@ TEST_CASE("bad numbers are answered with a sentence") {
     CHECK(has(message_of([&] {
                   integrate(mpm, bodies(a), {0, 1}, courant{2});
               }),
-              "the Courant number is 2, above the limit of 1"));
+              "the Courant number (c + |V|) dt/h is 2 with dt"));
     CHECK(has(message_of([&] {
                   integrate(mpm, bodies(a), {1, 1}, courant{0.2});
               }),

@@ -6,6 +6,7 @@
 #include <tamis/grid/lattice.hpp>
 #include <tamis/grid/node_table.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -195,6 +196,13 @@ class held_nodes {
         }
     }
     /// All held nodes; those that no particle reaches have zeros.
+    /// Storage places of the nodes, in the order of storage.
+    std::vector<std::size_t> places() const {
+        std::vector<std::size_t> all;
+        for (const entry& e : entries_) all.push_back(e.place);
+        std::sort(all.begin(), all.end());
+        return all;
+    }
     auto reactions() const {
         std::vector<held_node<D, real>> all;
         for (const entry& e : entries_) all.push_back(e.node);

@@ -21,7 +21,11 @@ long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, fixed_steps s
     for (long k = 1; k <= steps.count; ++k) {
         if ((k - 1) % 100 == 0) {
             scheme.check_finite(dt);
-            detail::check_courant(scheme.wave_speed() * dt / h, steps.limit, dt, k - 1, state.time);
+            const double number = scheme.wave_speed() * dt / h, limit = steps.limit.value_or(1);
+            if (!(number <= limit))
+                throw error(detail::sentence("step ", k - 1, ", t = ", state.time, ": the Courant number c dt/h is ",
+                                             number, " with dt = ", dt, ", above the limit of ", limit,
+                                             "; take steps of at most ", dt * limit / number));
         }
         const double end = k == steps.count ? span.end : span.begin + dt * static_cast<double>(k);
         scheme.step(real(dt), end);
@@ -36,14 +40,20 @@ long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, fixed_steps s
 /// The same with equal steps of the Courant number that the start has, at most.
 template <class G, class L, class... P, class... Observer>
 long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, courant pace, Observer&&... observers) {
-    if (!(pace.number > 0 && pace.number <= pace.limit))
-        throw error(detail::sentence("integrate: the Courant number is ", pace.number,
-                                     "; give a positive one, not above the limit of ", pace.limit));
+    if (!pace.number)
+        throw error(
+            "integrate: a Taylor-Galerkin scheme does not choose its own steps; give courant{number}, stable numbers "
+            "are "
+            "in docs/taylor-galerkin.md");
+    const double limit = pace.limit.value_or(1);
+    if (!(*pace.number > 0 && *pace.number <= limit))
+        throw error(detail::sentence("integrate: the Courant number is ", *pace.number,
+                                     "; give a positive one, not above the limit of ", limit));
     const double h = detail::to_double(scheme.grid().spacing());
-    const double wanted = (span.end - span.begin) * scheme.wave_speed() / (pace.number * h);
+    const double wanted = (span.end - span.begin) * scheme.wave_speed() / (*pace.number * h);
     if (!(wanted < 1e15)) throw error("integrate: the law's wave speed is not finite; check the law and the states");
     const long steps = std::max(1L, static_cast<long>(std::ceil(wanted * (1 - 1e-12))));
-    return integrate(scheme, span, fixed_steps{steps, pace.limit}, observers...);
+    return integrate(scheme, span, fixed_steps{steps, limit}, observers...);
 }
 
 }  // namespace tamis

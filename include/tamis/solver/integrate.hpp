@@ -1,9 +1,13 @@
 #pragma once
+#include <tamis/solver/critical_courant.hpp>
 #include <tamis/solver/initial.hpp>
 #include <tamis/solver/solver.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,16 +25,27 @@ struct progress_state {
     interval span;  // of the run
 };
 
-/// A number of equal steps, (end - begin)/count each. Courant numbers above `limit` are refused.
+/// What `integrate` says of a step that is between the limits of free ends and of inner nodes. Observers that take a
+/// `const warning&` and nothing else are told; if there is none, the sentence goes to standard error. Once in a
+/// solver's life.
+struct warning {
+    std::string sentence;
+    double number, limit;  // Courant numbers: the step's, and the one at free ends
+};
+
+/// A number of equal steps, (end - begin)/count each. Courant numbers (c + |V|) dt/h above `limit` are refused; by
+/// default the composition's own (docs/stability.md), 1 at most.
 struct fixed_steps {
     long count;
-    double limit = 1.0;
+    std::optional<double> limit{};
 };
 /// Steps by the Courant number (c + |V|) dt/h, c the law's wave speed, |V| the speed of the fastest particle (of moving
-/// ones only: held particles carry nothing along). The last step ends exactly at the end.
+/// ones only: held particles carry nothing along). Without a number it is `safety` times the composition's limit, that
+/// of free ends where there are any. The last step ends exactly at the end.
 struct courant {
-    double number;
-    double limit = 1.0;
+    std::optional<double> number{};
+    std::optional<double> limit{};
+    double safety = 0.9;
 };
 
 namespace detail {
@@ -104,22 +119,117 @@ inline void check_span(const interval& span) {
                              " s; give a beginning and a later, finite end"));
 }
 
-inline void check_courant(double number, double limit, double dt, long step, double t) {
-    if (!(number <= limit))
-        throw error(sentence("step ", step, ", t = ", t, ": the Courant number (c + |V|) dt/h is ", number,
-                             " with dt = ", dt, ", above the limit of ", limit, "; take steps of at most ",
-                             dt * limit / number));
+/// How large a step may be.
+struct step_limit {
+    double inner = 1;  // Courant numbers above it are refused
+    bool given = false, known = false;
+    double free_end = 1;  // those above it may grow at free ends
+    double share = 1;     // of an inner node's mass that the lightest free node has
+};
+
+/// What a composition's table says of these bodies where they are now.
+template <class Solver, class... Body>
+step_limit limit_of(Solver& mpm, const std::tuple<Body&...>& all, const std::optional<double>& given) {
+    step_limit limit;
+    if (given) {
+        limit.inner = limit.free_end = *given;
+        limit.given = true;
+        return limit;
+    }
+    if constexpr (requires { mpm.lightest_free_node(all); }) {
+        using C = typename Solver::composition_type;
+        constexpr int D = Solver::dim;
+        const double cell = std::pow(to_double(mpm.grid().spacing()), D);
+        std::optional<critical_courant> numbers;
+        double lightest = std::numeric_limits<double>::infinity();  // mass of an inner node of the lightest body
+        bool known = true;
+        const auto one = [&](const auto& body) {
+            double most = 0, least = std::numeric_limits<double>::infinity();
+            for (const auto p : body) {
+                const double volume = to_double(p[symbols::V]);
+                most = std::max(most, volume);
+                least = std::min(least, volume);
+                lightest = std::min(lightest, to_double(p[symbols::m]) / volume * cell);
+            }
+            for (const double volume : {most, least}) {
+                const auto found = critical_of<C>(mpm.scheme(), std::pow(cell / volume, 1. / D));
+                if (!found)
+                    known = false;
+                else
+                    numbers = numbers ? smaller(*numbers, *found) : *found;
+            }
+        };
+        std::apply([&](const auto&... b) { (one(b), ...); }, std::as_const(all));
+        if (!known || !numbers) return limit;
+        limit.known = true;
+        limit.inner = limit.free_end = std::min(1., numbers->inner);
+        limit.share = mpm.lightest_free_node(all) / lightest;
+        // Corners of a box have 2^-D.
+        if (limit.share < 0.5 * std::pow(0.5, D))
+            limit.free_end = std::min(limit.inner, numbers->free_end(limit.share));
+        else
+            limit.share = 1;
+    }
+    return limit;
+}
+
+template <class Solver> std::string composition_of(const Solver& mpm) {
+    if constexpr (requires { mpm.scheme(); })
+        return name_of_composition<typename Solver::composition_type>(mpm.scheme());
+    else
+        return "this solver";
+}
+
+template <class Solver>
+void check_courant(const Solver& mpm, double number, const step_limit& limit, double dt, long step, double t) {
+    if (number <= limit.inner) return;
+    const char* why = limit.given   ? " that was given"
+                      : limit.known ? ": small waves inside the body would grow"
+                                    : ": nothing is known of a smaller one";
+    throw error(sentence("step ", step, ", t = ", t, ": the Courant number (c + |V|) dt/h is ", number,
+                         " with dt = ", dt, ", above the limit of ", limit.inner, " of ", composition_of(mpm), why,
+                         "; take steps of at most ", dt * limit.inner / number));
+}
+
+/// What an automatic step is a share of. A node of hardly any mass would ask for no step at all: moving particles pass
+/// such places in a few steps, so a tenth of the inner limit is kept.
+inline double automatic_number(const step_limit& limit) { return std::max(limit.free_end, 0.1 * limit.inner); }
+
+/// Asked in this order, for a generic observer is not to be tried with a warning.
+template <class Observer>
+concept TakesWarnings = !std::invocable<Observer&, double> && !std::invocable<Observer&, const progress_state&> &&
+                        std::invocable<Observer&, const warning&>;
+
+/// Says once that steps are too large for a free end.
+template <class Solver, class... Observer>
+void warn_of_free_end(Solver& mpm, double number, const step_limit& limit, double dt, Observer&... observers) {
+    if constexpr (requires { mpm.warnings(); }) {
+        if (!(number > limit.free_end) || !mpm.warnings().empty()) return;
+        const warning all{
+            sentence("tamis: ", composition_of(mpm), ": the Courant number ", number, " is above ", limit.free_end,
+                     ", beyond which disturbances may grow at a free end, for a node there has only ", limit.share,
+                     " of an inner node's mass; take steps of at most ", dt * limit.free_end / number,
+                     ", or strain by particles' velocities (usf, usl_plus, usavg_plus), or take smoother functions "
+                     "(docs/stability.md)"),
+            number, limit.free_end};
+        mpm.warn(all.sentence);
+        const auto one = [&](auto& observer) {
+            if constexpr (TakesWarnings<std::remove_reference_t<decltype(observer)>>) observer(all);
+        };
+        (one(observers), ...);
+        if constexpr (!(TakesWarnings<Observer> || ...)) std::fprintf(stderr, "%s\n", all.sentence.c_str());
+    }
 }
 
 template <class Observer> void tell(Observer& observer, const progress_state& state) {
     if constexpr (std::invocable<Observer&, const progress_state&>)
         observer(state);
-    else {
-        static_assert(std::invocable<Observer&, double>,
+    else if constexpr (std::invocable<Observer&, double>)
+        observer(state.time);
+    else
+        static_assert(TakesWarnings<Observer>,
                       "tamis: an observer of integrate is called with the time, "
                       "f(double t), or with a progress_state; this one takes neither");
-        observer(state.time);
-    }
 }
 
 }  // namespace detail
@@ -150,7 +260,9 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
         if ((k - 1) % 1000 == 0) {
             const double speed = detail::signal_speed<Solver::composition_type::moves>(std::as_const(all));
             detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
-            detail::check_courant(speed * dt / h, steps.limit, dt, k - 1, state.time);
+            const auto limit = detail::limit_of(mpm, all, steps.limit);
+            detail::check_courant(mpm, speed * dt / h, limit, dt, k - 1, state.time);
+            detail::warn_of_free_end(mpm, speed * dt / h, limit, dt, observers...);
         }
         const double end = k == steps.count ? span.end : span.begin + dt * static_cast<double>(k);
         mpm.step(all, real(dt), end);
@@ -162,27 +274,34 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
     return steps.count;
 }
 
-/// The same with steps chosen by a Courant number; looked at again every 20 steps.
+/// The same with steps chosen by a Courant number; looked at again every 20 steps. Warns if steps are too large for the
+/// bodies' free ends (`warning`).
 template <class Solver, class... Body, class... Observer>
 long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pace, Observer&&... observers) {
     using real = typename Solver::real;
     detail::check_span(span);
-    if (!(pace.number > 0))
-        throw error(detail::sentence("integrate: the Courant number is ", pace.number, "; give a positive one"));
-    if (pace.number > pace.limit)
-        throw error(detail::sentence("integrate: the Courant number is ", pace.number, ", above the limit of ",
-                                     pace.limit, "; give a smaller one"));
+    if (pace.number && !(*pace.number > 0))
+        throw error(detail::sentence("integrate: the Courant number is ", *pace.number, "; give a positive one"));
+    if (!(pace.safety > 0 && pace.safety <= 1))
+        throw error(detail::sentence("integrate: the safety factor is ", pace.safety, "; give one up to 1"));
     const double h = detail::to_double(mpm.grid().spacing());
     mpm.start_at(span.begin);
     progress_state state{0, 0, span.begin, span};
     double from = span.begin, dt = 0;
-    long done = 0, left = 0, since = 0;
+    long done = 0, left = 0, since = 0, looked = 0;
+    detail::step_limit limit;
     const auto choose = [&] {
         const double speed = detail::signal_speed<Solver::composition_type::moves>(std::as_const(all));
         detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
         from = state.time;
         since = 0;
-        const double wanted = (span.end - from) * speed / (pace.number * h);
+        // Free ends change slowly; an automatic step follows them.
+        if (!pace.number || looked++ % 10 == 0) limit = detail::limit_of(mpm, all, pace.limit);
+        if (pace.number && *pace.number > limit.inner)
+            detail::check_courant(mpm, *pace.number, limit, *pace.number * h / speed, done, from);
+        const double number = pace.number ? *pace.number : pace.safety * detail::automatic_number(limit);
+        detail::warn_of_free_end(mpm, number, limit, number * h / speed, observers...);
+        const double wanted = (span.end - from) * speed / (number * h);
         if (!(wanted < 1e15))
             throw error("integrate: the bodies' speed is not finite; check the law and the velocities");
         left = std::max(1L, static_cast<long>(std::ceil(wanted * (1 - 1e-12))));

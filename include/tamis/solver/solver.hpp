@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -119,6 +120,42 @@ template <class Grid, class... Policies> class solver {
     /// Steps that found their sums over the particles made by the step before, in the pass that updated them. Always 0
     /// where the composition cannot do so: in 2D and 3D, under loads, with a full mass matrix, ...
     long steps_in_one_pass() const { return ahead_.used; }
+    /// Mass of the lightest node that particles reach and no condition holds, where the particles are now (kg);
+    /// infinity if there is none. Such nodes bound the time step at free ends (docs/stability.md).
+    template <class... Body> double lightest_free_node(std::tuple<Body&...> all) {
+        prepare(all);
+        if constexpr (C::moves) {
+            detail::passes<solver, Body...> now{*this, all, real(1)};
+            now.template set_zero<field::mass>();
+            now.each_body([](auto& b, auto& sweeps) {
+                sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(b, detail::mass_to_nodes{});
+            });
+            now.wrap(fields<field::mass>{});
+        }
+        double lightest = std::numeric_limits<double>::infinity();
+        each_field([&](auto& field) {
+            const std::vector<std::size_t> held = field.held.places();
+            const auto& nodes = field.sweeps.nodes();
+            for (const std::uint32_t block : nodes.active())
+                for (std::size_t place = block * std::size_t(S::width); place < (block + 1) * std::size_t(S::width);
+                     ++place) {
+                    const double there = detail::to_double(nodes.template at<field::mass>(place));
+                    if (!(there > 0)) continue;
+                    // Held particles' nodes keep 1/m.
+                    const double mass = C::moves ? there : 1 / there;
+                    if (mass < lightest && !std::binary_search(held.begin(), held.end(), place)) lightest = mass;
+                }
+        });
+        return lightest;
+    }
+    /// What `integrate` warned of, each once.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    /// Keeps a warning. Is it the first of its cause?
+    bool warn(std::string sentence) {
+        if (!warnings_.empty()) return false;
+        warnings_.push_back(std::move(sentence));
+        return true;
+    }
     /// Terms of the full mass matrix's series that the last step took, and the size of the last one; 0 unless the
     /// scheme looks (`adaptive_fmpm`).
     const series_report& series() const { return series_; }
@@ -269,6 +306,7 @@ template <class Grid, class... Policies> class solver {
     long steps_ = 0;
     std::size_t crossings_ = 0;
     series_report series_;
+    std::vector<std::string> warnings_;
     detail::stamp weights_;
     std::uint64_t bands_made_for_ = 0;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared

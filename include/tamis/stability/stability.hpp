@@ -3,11 +3,10 @@
 #include <tamis/material/linear_elastic.hpp>
 #include <tamis/solver/solver.hpp>
 #include <tamis/stability/dual.hpp>
+#include <tamis/stability/responses.hpp>
+#include <tamis/stability/step_matrix.hpp>
 
-#include <Eigen/Eigenvalues>
-
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <vector>
 
 /// Linear stability of a composition, from the composition itself: the exact Jacobian of one step of an elastic bar.
@@ -20,11 +19,6 @@ struct bar {
     double offset = 0;
     /// Free at both ends, with empty cells beyond; else fixed, and filling the grid.
     bool free = false;
-};
-
-/// Which particle of the bar, counted from the left.
-struct particle_number : scalar_field {
-    static constexpr std::string_view name = "particle_number";
 };
 
 namespace detail {
@@ -89,17 +83,18 @@ template <class... Policies> Eigen::MatrixXd jacobian(const bar& set, double dt,
     return J;
 }
 
+/// The Jacobian for every time step.
+template <class... Policies> step_matrix<Eigen::MatrixXd> step_of(const bar& set, const Policies&... policies) {
+    using matrix = step_matrix<Eigen::MatrixXd>;
+    std::array<Eigen::MatrixXd, matrix::samples> at;
+    for (int k = 0; k < matrix::samples; ++k)
+        at[static_cast<std::size_t>(k)] = jacobian(set, matrix::sample(k), policies...);
+    return matrix(at);
+}
+
 /// Largest magnitude of the Jacobian's eigenvalues: what a disturbance of the worst shape is multiplied by in a step.
 template <class... Policies> double spectral_radius(const bar& set, double courant, const Policies&... policies) {
-    // The QR iteration does not always converge where eigenvalues of 1 fall together: nearby it does.
-    for (int attempt = 0; attempt < 8; ++attempt) {
-        const double near = courant * (1 + 1e-7 * attempt);
-        const Eigen::EigenSolver<Eigen::MatrixXd> modes(jacobian(set, near, policies...), false);
-        if (modes.info() == Eigen::Success && modes.eigenvalues().allFinite())
-            return modes.eigenvalues().cwiseAbs().maxCoeff();
-    }
-    throw error(tamis::detail::sentence("stability: the eigenvalues of a step at the Courant number ", courant,
-                                        " were not found; try another number of cells"));
+    return spectral_radius_of([&](double dt) { return jacobian(set, dt, policies...); }, courant);
 }
 
 /// The Courant number up to which no disturbance grows: the first at which one does by more than `tolerance` a step is
@@ -108,21 +103,9 @@ template <class... Policies> double spectral_radius(const bar& set, double coura
 /// what counts is growth that is still there at slightly larger numbers.
 template <class... Policies>
 double critical_courant(const bar& set, double most, double tolerance, const Policies&... policies) {
-    const auto is_stable = [&](double courant) { return spectral_radius(set, courant, policies...) <= 1 + tolerance; };
-    double stable = 0;
-    while (stable < most) {
-        const double next = std::min(stable + 0.02, most);
-        if (!is_stable(next)) {
-            double unstable = next;
-            while (unstable - stable > 1e-4) {
-                const double middle = (stable + unstable) / 2;
-                (is_stable(middle) ? stable : unstable) = middle;
-            }
-            return stable;
-        }
-        stable = next;
-    }
-    return most;
+    const auto step = step_of(set, policies...);
+    return first_unstable(most, 0.02,
+                          [&](double courant) { return spectral_radius_of(step, courant) <= 1 + tolerance; });
 }
 
 }  // namespace tamis::stability

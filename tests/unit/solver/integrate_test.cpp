@@ -34,7 +34,7 @@ TEST_CASE("integrate: a number of equal steps, the last of which ends at the end
     std::vector<double> times;
     std::vector<long> steps;
     const long done = integrate(
-        s.mpm, bodies(s.bar), {0.3, 1}, fixed_steps{7}, [&](double t) { times.push_back(t); },
+        s.mpm, bodies(s.bar), {0.3, 1}, fixed_steps{7, 1}, [&](double t) { times.push_back(t); },
         every(3, [&](const progress_state& state) {
             CHECK(state.steps == 7);
             CHECK(state.span.begin == 0.3);
@@ -82,10 +82,57 @@ TEST_CASE("integrate: spans and paces that make no sense are refused") {
 TEST_CASE("integrate: steps beyond the stability limit are refused, with the step that would do") {
     const std::string text = refusal({0, 1}, fixed_steps{4});
     CAPTURE(text);
-    CHECK(names(text, "step 0, t = 0", "Courant number", "is 2 with dt = 0.25", "limit of 1", "at most 0.125"));
-    CHECK(names(refusal({0, 1}, courant{1.5}), "Courant number", "1.5", "limit of 1"));
+    CHECK(names(text, "step 0, t = 0", "Courant number", "is 2 with dt = 0.25", "limit of 0.707", "linear, flip, usl-",
+                "inside the body", "at most 0.088375"));
+    CHECK(names(refusal({0, 1}, courant{1.5}), "Courant number", "1.5", "limit of 0.707"));
+    CHECK(names(refusal({0, 1}, fixed_steps{4, 1.5}), "above the limit of 1.5", "that was given"));
     CHECK(refusal({0, 1}, fixed_steps{4, 3}) == "nothing");
     CHECK(refusal({0, 1}, courant{1.5, 2}) == "nothing");
+}
+
+TEST_CASE("integrate: without a number steps are a share of the composition's limit") {
+    scene s;
+    // Waves of speed 2, cells of 1/4: 8 steps at a Courant number of 1. FLIP with one particle per cell: sqrt(1/2).
+    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{}) == 13);               // 8/(0.9 0.707)
+    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{.safety = 0.5}) == 23);  // 8/(0.5 0.707)
+    CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{{}, 0.5, 0.5}) == 32);   // 8/(0.5 0.5)
+    CHECK(s.mpm.warnings().empty());
+    CHECK(names(refusal({0, 1}, courant{.safety = 1.5}), "safety factor is 1.5"));
+    // The limit of orders that are not in the table is 1.
+    solver other{line, linear{}, euler{}, held{}};
+    auto bar = other.make_body(law, everywhere, per_cell{1});
+    CHECK(integrate(other, bodies(bar), {0, 1}, courant{}) == 9);  // 8/0.9
+}
+
+TEST_CASE("integrate: steps too large for a free end are told once, to whom it concerns") {
+    solver mpm{grid{{0.}, {8.}, 0.25}, linear{}, fmpm<2>{}, held{}};
+    // The last particle is beyond a node by a hundredth of a cell: that node has 1/200 of an inner one's mass.
+    std::vector<point<1, double>> places;
+    for (int p = 0; p < 17; ++p) places.push_back(point<1, double>(2 + 0.0025 + p / 8.));
+    auto bar = mpm.make_body_at(law, places, 0.125);
+    std::vector<warning> told;
+    const auto listen = [&](const warning& one) { told.push_back(one); };
+    const auto run = [&](double number) { integrate(mpm, bodies(bar), {0, 1}, courant{number}, listen); };
+    // sqrt(2 n s/k): n particles per cell, s the node's share of mass.
+    const double limit = std::sqrt(2 * 2 * 0.005 / 2);
+    run(0.9 * limit);
+    CHECK(told.empty());
+    run(1.1 * limit);
+    REQUIRE(told.size() == 1);
+    CHECK(std::abs(told[0].limit / limit - 1) < 0.03);
+    CHECK(std::abs(told[0].number / limit - 1.1) < 0.001);
+    CHECK(names(told[0].sentence, "linear, fmpm(2), usl-", "free end", "0.005", "inner node's mass", "at most"));
+    run(1.1 * limit);
+    CHECK(told.size() == 1);
+    REQUIRE(mpm.warnings().size() == 1);
+    CHECK(mpm.warnings()[0] == told[0].sentence);
+    // An automatic step keeps to it.
+    told.clear();
+    solver fresh{grid{{0.}, {8.}, 0.25}, linear{}, fmpm<2>{}, held{}};
+    auto same = fresh.make_body_at(law, places, 0.125);
+    integrate(fresh, bodies(same), {0, 1}, courant{}, listen);
+    CHECK(told.empty());
+    CHECK(static_cast<double>(fresh.steps()) > 8 / limit);
 }
 
 TEST_CASE("integrate: a held particle that is no longer a number is told with its place, step and time") {
