@@ -40,11 +40,11 @@ TEST_CASE("energy of a gas: stress gives the particles what it takes, less what 
         const std::vector<state> before = states_of(std::as_const(gas));
         // The nodes' masses, momenta and forces by hand.
         std::vector<double> mass(cells + 1), momentum(cells + 1), force(cells + 1);
-        const auto each_node = [&](const state& p, auto f) {
+        const auto each_node = [&](const state& p, auto visit) {
             const auto i = static_cast<std::size_t>(p.x / h);
             const double w = p.x / h - static_cast<double>(i);
-            f(i, 1 - w, -1 / h);
-            f(i + 1, w, 1 / h);
+            visit(i, 1 - w, -1 / h);
+            visit(i + 1, w, 1 / h);
         };
         for (const state& p : before)
             each_node(p, [&](std::size_t i, double w, double dw) {
@@ -55,14 +55,14 @@ TEST_CASE("energy of a gas: stress gives the particles what it takes, less what 
         double work = 0, unseen = 0;
         for (std::size_t i = 0; i <= cells; ++i)
             if (mass[i] > 0) {
-                const double a = force[i] / mass[i];
-                work += dt * force[i] * (momentum[i] / mass[i] + dt * a / 2);
-                unseen += dt * dt / 2 * mass[i] * a * a;
+                const double gain = force[i] / mass[i];
+                work += dt * force[i] * (momentum[i] / mass[i] + dt * gain / 2);
+                unseen += dt * dt / 2 * mass[i] * gain * gain;
             }
         for (const state& p : before) {
-            double a = 0;
-            each_node(p, [&](std::size_t i, double w, double) { a += w * force[i] / mass[i]; });
-            unseen -= dt * dt / 2 * p.m * a * a;
+            double felt = 0;
+            each_node(p, [&](std::size_t i, double w, double) { felt += w * force[i] / mass[i]; });
+            unseen -= dt * dt / 2 * p.m * felt * felt;
         }
         CHECK(unseen >= 0);
         mpm.step(bodies(gas), dt);
