@@ -74,7 +74,8 @@ template <class... Policies> void passes_agree(double speed, Policies... policie
 }
 /// The same by threads, bit for bit, and one lane wide, to round-off.
 template <class... Policies> void runs_agree(Policies... policies) {
-    bars alone(0.6, serial{}, native_lanes{}, policies...), narrow(0.6, serial{}, one_lane{}, policies...);
+    bars alone(0.6, serial{}, native_lanes{}, policies...);
+    bars narrow(0.6, serial{}, one_lane{}, policies...);
     for (int step = 0; step < 40; ++step) {
         alone.mpm.step(bodies(alone.bar), dt);
         narrow.mpm.step(bodies(narrow.bar), dt);
