@@ -164,6 +164,15 @@ page error_page(const std::vector<report_scene>& scenes, const std::vector<measu
     if (!complete)
         report.paragraph("This report was interrupted: it holds the runs that were done. `--resume` does the others.");
     report.facts(facts);
+    std::vector<double> spreads;
+    for (const measurement& run : runs)
+        if (run.has_answer() && run.repeats > 1 && run.found.seconds > 0) spreads.push_back(run.spread());
+    if (!spreads.empty()) {
+        const double half = median(spreads);
+        report.paragraph(
+            "Half of the run times spread by less than " + number("%.0f %%", 100 * half) +
+            (half > 0.2 ? ": the machine was busy with other work, so trust the errors and not the times." : "."));
+    }
     report.heading("What to take");
     report.paragraph(
         "The fastest of all measured runs whose error is at most the one asked for. Run times are those of the "
