@@ -1,13 +1,24 @@
 #!/bin/sh
-# performance.sh DIRECTORY FILE: runs the speed benchmarks of a build and writes their tables to FILE, whole or not at all.
-# `cmake --build build/default --target performance` calls it. Some ten minutes; leave the machine alone meanwhile.
+# performance.sh DIRECTORY FILE [TABLE...]: runs the speed benchmarks of a build and writes their tables to FILE, whole
+# or not at all. Tables are kept in DIRECTORY/tables; with names of tables only those are measured anew, for machines
+# that are quiet for a minute at a time. `cmake --build build/default --target performance` measures all: some ten
+# minutes; leave the machine alone meanwhile.
 set -eu
 programs=$1
 page=$2
+shift 2
+all='roofline step_3d step_2d step_1d crossing scaling'
 new=$page.new
-trap 'rm -f "$new"' EXIT
+tables=$programs/tables
+mkdir -p "$tables"
+trap 'rm -f "$new" "$tables"/*.new' EXIT
 
-run() { "$programs/$1" 2> /dev/null | grep -v -e '^Run on' -e '^--' -e '^Benchmark ' -e '/repeats:' -e '^\*\*\*' ; }
+measure() { "$programs/$1" 2> /dev/null | grep -v -e '^Run on' -e '^--' -e '^Benchmark ' -e '/repeats:' -e '^\*\*\*' ; }
+
+for table in ${*:-$all}; do
+    measure "$table" > "$tables/$table.new"
+    mv "$tables/$table.new" "$tables/$table"
+done
 
 processor=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2> /dev/null | head -n 1)
 cores=$(getconf _NPROCESSORS_ONLN)
@@ -22,7 +33,7 @@ load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
     echo
     echo 'Nanoseconds are per particle and step, of processor time, medians of five interleaved runs; a ratio is to the'
     echo 'step named beside it, in the same run. Compare ratios; nanoseconds move with the load.'
-    for table in roofline step_3d step_2d step_1d crossing scaling; do
+    for table in $all; do
         echo
         case $table in
             roofline) echo '## What one core can do' ;;
@@ -34,7 +45,7 @@ load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
         esac
         echo
         echo '```text'
-        run "$table"
+        cat "$tables/$table" 2> /dev/null || echo 'not measured'
         echo '```'
         case $table in
             roofline) cat << 'END'

@@ -117,17 +117,17 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         });
     }
 
-    /// As `scatter` with made = S F for all node fields F of `Read`.
+    /// As `scatter` with made = kernel.make(slot, gathered), gathered: S F for all node fields F of `Read`.
     template <class Shown, class Read, class ToNodes, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
         each_tile_by_colour(store, [&](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
             const nodes_around<S, Shape, merge_as_is<Read>> around(lattice_, nodes_, t.node);
-            const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
+            const auto make = [&](const auto& slot, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
                 gathered<S, Read> g;
                 gather<no_field>(around, st, g);
-                return g;
+                return kernel.make(slot, g);
             };
             const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
             scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
