@@ -1,13 +1,24 @@
 #!/bin/sh
-# performance.sh DIRECTORY FILE: runs the speed benchmarks of a build and writes their tables to FILE, whole or not at all.
-# `cmake --build build/default --target performance` calls it. Some ten minutes; leave the machine alone meanwhile.
+# performance.sh DIRECTORY FILE [TABLE...]: runs the speed benchmarks of a build and writes their tables to FILE, whole
+# or not at all. Tables are kept in DIRECTORY/tables; with names of tables only those are measured anew, for machines
+# that are quiet for a minute at a time. `cmake --build build/default --target performance` measures all: some ten
+# minutes; leave the machine alone meanwhile.
 set -eu
 programs=$1
 page=$2
+shift 2
+all='roofline step_3d step_2d step_1d crossing scaling'
 new=$page.new
-trap 'rm -f "$new"' EXIT
+tables=$programs/tables
+mkdir -p "$tables"
+trap 'rm -f "$new" "$tables"/*.new' EXIT
 
-run() { "$programs/$1" 2> /dev/null | grep -v -e '^Run on' -e '^--' -e '^Benchmark ' -e '/repeats:' -e '^\*\*\*' ; }
+measure() { "$programs/$1" 2> /dev/null | grep -v -e '^Run on' -e '^--' -e '^Benchmark ' -e '/repeats:' -e '^\*\*\*' ; }
+
+for table in ${*:-$all}; do
+    measure "$table" > "$tables/$table.new"
+    mv "$tables/$table.new" "$tables/$table"
+done
 
 processor=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2> /dev/null | head -n 1)
 cores=$(getconf _NPROCESSORS_ONLN)
@@ -22,7 +33,7 @@ load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
     echo
     echo 'Nanoseconds are per particle and step, of processor time, medians of five interleaved runs; a ratio is to the'
     echo 'step named beside it, in the same run. Compare ratios; nanoseconds move with the load.'
-    for table in roofline step_3d step_2d step_1d crossing scaling; do
+    for table in $all; do
         echo
         case $table in
             roofline) echo '## What one core can do' ;;
@@ -34,7 +45,7 @@ load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
         esac
         echo
         echo '```text'
-        run "$table"
+        cat "$tables/$table" 2> /dev/null || echo 'not measured'
         echo '```'
         case $table in
             roofline) cat << 'END'
@@ -45,15 +56,35 @@ the rates above, is the time below which no step of two sweeps can come; the sum
 overlap with arithmetic.
 END
             ;;
+            step_3d) cat << 'END'
+
+What bounds it: arithmetic and its operands. A slot of W particles takes about 1650 instructions (g++ 12, AVX2), 930 to
+nodes and 720 to particles, some 650 of them arithmetic; the rest are loads that do not fold into it, shifts of rows and
+what sixteen registers cannot hold. Bytes: 112 a particle and 56 a node (float: half). The step by hand keeps node fields
+in columns and all 21 sums of a row at once; sixteen registers spill them, and each row touches seven pages.
+
+FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and two passes over nodes.
+END
+            ;;
+            step_2d) cat << 'END'
+
+As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more.
+END
+            ;;
             crossing) cat << 'END'
 
 Lanes are what crossing costs: a tile has as many slots as its fullest lane, and particles that wander fill lanes
-unevenly. What is left after dividing by the occupancy is the mailbox.
+unevenly; tiles that lose particles give back slots where lower ones can take what is left in the last. What is left
+after dividing by the occupancy is the mailbox, and slots that no longer lie in the order of tiles. The worst case is a
+jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
 END
             ;;
             scaling) cat << 'END'
 
 Slabs are independent within a colour and there are two colours a scatter; results are those of one thread, bit for bit.
+A body is cut into at most 32 slabs across its outermost axis, so a colour has at most 16: that many threads can share a
+scatter, and twice as many a gather. On 64 cores a step is then bound by the scatter at 16 threads' rate, or by memory:
+n cores at T ns a particle ask for 336 n/T GB/s.
 END
             ;;
         esac

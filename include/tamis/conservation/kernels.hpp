@@ -97,9 +97,12 @@ template <class S, class Law> struct flux_to_nodes {
 
 /// S^T V S times the term at hand.
 template <int Count> struct spread_term {
-    TAMIS_INLINE void operator()(auto p, auto near, const auto& term_p) const {
-        for (const auto& [i, w, dw] : near)
-            i[field::rate<Count>{}] += w * p[symbols::m] * term_p.sums.template get<field::change_term<Count>>();
+    /// V S times the term.
+    TAMIS_INLINE static auto make(const auto& slot, const auto& term_p) {
+        return (term_p.sums.template get<field::change_term<Count>>() * slot.template get<field::mass>()).eval();
+    }
+    TAMIS_INLINE void operator()(auto, auto near, const auto& term_p) const {
+        for (const auto& [i, w, dw] : near) i[field::rate<Count>{}] += w * term_p;
     }
 };
 

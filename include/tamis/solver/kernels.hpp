@@ -81,9 +81,12 @@ template <class S, class Shape, bool Gradient, bool Place> struct contact_to_nod
 
 /// SdV = S^T M S dv.
 struct spread {
-    TAMIS_INLINE void operator()(auto p, auto near, const auto& dv_p) const {
-        using namespace symbols;
-        for (const auto& [i, w, dw] : near) i[Sdv] += w * p[m] * dv_p.sums.template get<field::increment>();
+    /// M S dv.
+    TAMIS_INLINE static auto make(const auto& slot, const auto& dv_p) {
+        return (dv_p.sums.template get<field::increment>() * slot.template get<field::mass>()).eval();
+    }
+    TAMIS_INLINE void operator()(auto, auto near, const auto& momentum) const {
+        for (const auto& [i, w, dw] : near) i[symbols::Sdv] += w * momentum;
     }
 };
 

@@ -126,8 +126,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         });
     }
 
-    /// As `scatter` with made = S F for all node fields F of `Read`, or what kernel.make(slot, gathered) makes of that
-    /// and of the gradient of a node field.
+    /// As `scatter` with made = kernel.make(slot, gathered), gathered: S F for all node fields F of `Read`, and the
+    /// gradient of a node field.
     template <class Shown, class Read, class ToNodes, class Gradient = no_field, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
@@ -135,15 +135,9 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             const weigh_type weigh(functions_, lattice_, t);
             const nodes_around<S, Shape, typename with_gradient<Read, Gradient>::type> around(lattice_, nodes_, t.node);
             const auto make = [&](const auto& slot, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
-                if constexpr (std::same_as<Gradient, no_field>) {
-                    gathered<S, Read, 0> g;
-                    gather<no_field>(around, st, g);
-                    return g;
-                } else {
-                    gathered<S, Read, Gradient::template components<S>> g;
-                    gather<Gradient>(around, st, g);
-                    return kernel.make(slot, g);
-                }
+                gathered<S, Read, components_of<S, Gradient>> g;
+                gather<Gradient>(around, st, g);
+                return kernel.make(slot, g);
             };
             const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
             scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,

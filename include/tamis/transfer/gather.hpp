@@ -16,6 +16,8 @@ template <class S, class List> struct gathered<S, List, 0> { values<S, List> sum
 
 /// No gradient wanted.
 struct no_field {};
+template <class S, class Field> inline constexpr int components_of = Field::template components<S>;
+template <class S> inline constexpr int components_of<S, no_field> = 0;
 
 template <class List, class Gradient> struct with_gradient { using type = merge_as_is<List, fields<Gradient>>; };
 template <class List> struct with_gradient<List, no_field> { using type = merge_as_is<List>; };
