@@ -46,7 +46,7 @@ std::optional<double> observed_order(const std::vector<measurement>& family, dou
 std::optional<std::size_t> fastest_within(const std::vector<measurement>& runs, double target) {
     std::optional<std::size_t> best;
     for (std::size_t k = 0; k < runs.size(); ++k)
-        if (runs[k].has_answer() && runs[k].found.error <= target &&
+        if (counts(runs[k], INFINITY) && runs[k].found.error <= target &&
             (!best || runs[k].found.seconds < runs[*best].found.seconds))
             best = k;
     return best;

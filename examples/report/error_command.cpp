@@ -113,7 +113,7 @@ measurement measure(const report_scene& scene, const configuration& what) {
     double total = 0;
     try {
         // Three times, runs of seconds twice, and short ones until they add up to something that a clock can tell.
-        while (seconds.size() < 2 || (seconds.size() < 3 && total < 2) || (total < 0.02 && seconds.size() < 9)) {
+        while (seconds.size() < 2 || (seconds.size() < 3 && total < 2) || (total < 0.01 && seconds.size() < 5)) {
             all.found = scene.run(what);
             seconds.push_back(all.found.seconds);
             total += all.found.seconds;

@@ -17,7 +17,14 @@ std::string number(const char* format, double value) {
     std::snprintf(text, sizeof text, format, value);
     return text;
 }
-std::string scientific(double value) { return number("%.1e", value); }
+/// 1.5e-3, without the zero that printf puts before a short exponent.
+std::string short_exponent(std::string text) {
+    const std::size_t e = text.find('e');
+    if (e != std::string::npos && e + 2 < text.size() && text[e + 2] == '0') text.erase(e + 2, 1);
+    return text;
+}
+std::string scientific(double value) { return short_exponent(number("%.1e", value)); }
+std::string with_sign(double value) { return short_exponent(number("%+.1e", value)); }
 /// Seconds with a unit that makes them easy to read.
 std::string time(double seconds) {
     if (!std::isfinite(seconds)) return "-";
@@ -25,7 +32,7 @@ std::string time(double seconds) {
     if (seconds < 1) return number("%.3g ms", 1e3 * seconds);
     return number("%.3g s", seconds);
 }
-std::string target_title(double target) { return number("%.0e", target); }
+std::string target_title(double target) { return short_exponent(number("%.0e", target)); }
 
 std::vector<measurement> of_scene(const std::vector<measurement>& runs, const std::string& name) {
     std::vector<measurement> all;
@@ -46,8 +53,8 @@ double least_error(const std::vector<measurement>& runs) {
     return least;
 }
 
-const std::vector<std::string> run_columns{
-    "composition", "cells", "error", "run time", "spread", "steps", "ns per particle and step", "energy"};
+const std::vector<std::string> run_columns{"composition",          "cells", "error", "run time", "spread", "steps",
+                                           "ns per particle-step", "energy"};
 std::vector<std::string> row_of(const measurement& run) {
     return {run.what.composition(),
             std::to_string(run.what.cells),
@@ -56,7 +63,7 @@ std::vector<std::string> row_of(const measurement& run) {
             number("%.0f %%", 100 * run.spread()),
             std::to_string(run.found.steps),
             number("%.2f", run.ns_per_particle_step()),
-            number("%+.1e", run.found.energy_error)};
+            with_sign(run.found.energy_error)};
 }
 
 page::table_of best_table(const std::vector<measurement>& runs) {
@@ -92,7 +99,7 @@ page::table_of orders_table(const report_scene& scene, const std::vector<measure
     page::table_of table;
     table.columns = {"composition", "observed order",  "finest",
                      "error",       scene.velocity_is, scene.other_is,
-                     "energy",      "run time",        "ns per particle and step"};
+                     "energy",      "run time",        "ns per particle-step"};
     table.caption =
         "Observed order (slope of log error over log cells, all resolutions with an error below 1), and the finest "
         "grid's "
@@ -111,7 +118,7 @@ page::table_of orders_table(const report_scene& scene, const std::vector<measure
         table.rows.push_back({finest->what.composition(), order ? number("%.2f", *order) : "-",
                               std::to_string(finest->what.cells), scientific(finest->found.error),
                               scientific(finest->found.error_velocity), scientific(finest->found.error_other),
-                              number("%+.1e", finest->found.energy_error), time(finest->found.seconds),
+                              with_sign(finest->found.energy_error), time(finest->found.seconds),
                               number("%.2f", finest->ns_per_particle_step())});
     }
     return table;
@@ -157,6 +164,15 @@ page error_page(const std::vector<report_scene>& scenes, const std::vector<measu
     if (!complete)
         report.paragraph("This report was interrupted: it holds the runs that were done. `--resume` does the others.");
     report.facts(facts);
+    std::vector<double> spreads;
+    for (const measurement& run : runs)
+        if (run.has_answer() && run.repeats > 1 && run.found.seconds > 0) spreads.push_back(run.spread());
+    if (!spreads.empty()) {
+        const double half = median(spreads);
+        report.paragraph(
+            "Half of the run times spread by less than " + number("%.0f %%", 100 * half) +
+            (half > 0.2 ? ": the machine was busy with other work, so trust the errors and not the times." : "."));
+    }
     report.heading("What to take");
     report.paragraph(
         "The fastest of all measured runs whose error is at most the one asked for. Run times are those of the "
@@ -181,9 +197,9 @@ page error_page(const std::vector<report_scene>& scenes, const std::vector<measu
         if (here.empty()) continue;
         report.heading(scene.title).paragraph(scene.about).paragraph(scene.error_is);
         report.figures(
-            {{work_precision_svg(here),
-              "Error against run time, all " + std::to_string(here.size()) +
-                  " runs. The grey line is the front that no run beats; crosses are ADMPM's way."},
+            {{work_precision_svg(here), "Error against run time, all " + std::to_string(here.size()) +
+                                            " runs. The grey line is the front that no run beats" +
+                                            (of_admpm(here).empty() ? "." : "; crosses are ADMPM's way.")},
              {convergence_svg(scene, here),
               "Error over the number of cells (k above 2 dashed). Dotted lines show first and second order."}});
         report.table(best_table(here));

@@ -43,7 +43,8 @@ marker marker_of(const configuration& what) {
 }
 
 const char* const axes =
-    "set logscale xy\nset format '10^{%T}'\nset grid xtics ytics lt 1 lw 0.6 lc rgb '#dddddd'\nset border lw 1.2\n"
+    "set logscale xy\nset format '10^{%T}'\nset grid xtics ytics lt 1 lw 0.6 lc rgb '#dddddd'\nset border lw 1.2\nset "
+    "mxtics 1\nset mytics 1\n"
     "set ylabel 'relative error' offset 1,0\n";
 
 /// The smallest powers of ten around all values.
@@ -71,13 +72,13 @@ std::string work_precision_svg(const std::vector<measurement>& runs) {
         errors.push_back(run.found.error);
         // Points that would cover each other are drawn once.
         std::ostringstream place;
-        place << g.title << m.point << ' ' << std::lround(std::log10(run.found.seconds) / 0.03) << ' '
-              << std::lround(std::log10(run.found.error) / 0.03);
+        place << g.title << m.point << ' ' << std::lround(std::log10(run.found.seconds) / 0.05) << ' '
+              << std::lround(std::log10(run.found.error) / 0.05);
         if (!drawn.insert(place.str()).second) continue;
         points[{g.title, m.point}] << run.found.seconds << ' ' << run.found.error << '\n';
     }
     std::ostringstream script;
-    script << axes << "set xlabel 'run time (s)' offset 0,0.4\nset key below horizontal maxrows 3 width -2 samplen 1\n";
+    script << axes << "set xlabel 'run time (s)'\nset key above horizontal maxrows 3 width -2 samplen 1\n";
     if (errors.empty()) {
         script << "set label 'no run has an error below 1' at graph 0.5,0.5 center\nset yrange [1e-4:1]\n"
                << "set xrange [1e-4:1]\nplot NaN notitle";
@@ -109,8 +110,8 @@ std::string work_precision_svg(const std::vector<measurement>& runs) {
 
 std::string convergence_svg(const report_scene& scene, const std::vector<measurement>& runs) {
     std::ostringstream script, plots;
-    script << axes << "unset format x\nset xlabel 'cells along an axis' offset 0,0.4\n"
-           << "set key below horizontal maxrows 6 samplen 2 Left reverse\n";
+    script << axes << "unset format x\nset xlabel 'cells along an axis'\n"
+           << "set samples 2\nset key above horizontal maxrows 8 samplen 2 Left reverse\n";
     std::vector<double> errors;
     std::set<int> cells;
     int number = 0;

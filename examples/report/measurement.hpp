@@ -3,7 +3,7 @@
 #include <string>
 
 /// What a run of the report is made of: a scene, a composition by the names of the scenes' options, and its resolution.
-/// Two runs with equal texts are the same run.
+/// Two runs with equal `text()` are the same run.
 struct configuration {
     std::string scene, shape = "linear", update = "flip";
     /// k of xpic and fmpm, else 0.
@@ -14,6 +14,8 @@ struct configuration {
 
     /// The composition: all but cells. Runs of one family differ in resolution only.
     std::string family() const;
+    /// All of it.
+    std::string text() const { return family() + ' ' + std::to_string(cells); }
     /// For people: "quadratic, FMPM(2), USL-, held, Courant 0.1".
     std::string composition() const;
     bool operator==(const configuration&) const = default;

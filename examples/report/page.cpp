@@ -3,10 +3,11 @@
 #include <tamis/core/error.hpp>
 #include <tamis/observe/atomic_file.hpp>
 
-#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 namespace {
@@ -29,14 +30,14 @@ table { border-collapse: collapse; font-size: 0.9rem; }
 .caption { margin: 1rem 0 0; font-size: 0.9rem; }
 th, td { padding: 0.2rem 0.6rem; border-bottom: 1px solid #d8d8d8; text-align: left; vertical-align: top; }
 th { border-bottom: 2px solid #707070; vertical-align: bottom; }
-td { white-space: nowrap; }
+td, th { white-space: nowrap; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 .marked td { background: #fff3d6; }
 .facts td { white-space: normal; overflow-wrap: anywhere; }
 .facts td:first-child { color: #505050; padding-left: 0; min-width: 6rem; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 34rem), 1fr)); gap: 1rem 2rem; }
 figure { margin: 0.5rem 0; min-width: 0; }
-figure svg { display: block; width: 100%; max-width: 46rem; height: auto; }
+figure svg { display: block; font-family: sans-serif; width: 100%; max-width: 46rem; height: auto; }
 figcaption { font-size: 0.9rem; color: #333; max-width: 46rem; margin-top: 0.3rem; }
 @media (max-width: 600px) { main { padding: 0.75rem; } th, td { padding: 0.2rem 0.4rem; } }
 )";
@@ -70,12 +71,58 @@ std::string marked_up(const std::string& text) {
     return html;
 }
 
+std::string without(const std::string& text, const char* pattern) {
+    return std::regex_replace(text, std::regex(pattern), "");
+}
+/// Colours as #rrggbb.
+std::string short_colours(const std::string& svg) {
+    static const std::regex colour("rgb\\( ?([0-9]+), ?([0-9]+), ?([0-9]+)\\)");
+    std::string all;
+    auto from = svg.cbegin();
+    for (std::sregex_iterator at(svg.begin(), svg.end(), colour), end; at != end; ++at) {
+        char hex[8];
+        std::snprintf(hex, sizeof hex, "#%02x%02x%02x", std::stoi((*at)[1]) & 255, std::stoi((*at)[2]) & 255,
+                      std::stoi((*at)[3]) & 255);
+        all.append(from, (*at)[0].first) += hex;
+        from = (*at)[0].second;
+    }
+    return all.append(from, svg.cend());
+}
+/// Without definitions of marks that nothing uses.
+std::string without_unused_marks(const std::string& svg) {
+    static const std::regex mark("<(path|rect|circle|use)[^>]*id='(gp[A-Za-z0-9]+)'[^>]*/>");
+    std::string kept;
+    auto from = svg.cbegin();
+    for (std::sregex_iterator at(svg.begin(), svg.end(), mark), end; at != end; ++at) {
+        kept.append(from, (*at)[0].first);
+        if (svg.find("#" + (*at)[2].str() + "'") != std::string::npos) kept.append((*at)[0].first, (*at)[0].second);
+        from = (*at)[0].second;
+    }
+    return kept.append(from, svg.cend());
+}
+/// gnuplot's SVG in a third of its bytes: coordinates to a tenth of a pixel, nothing that is empty, unused, or said
+/// though it is the default.
+std::string shortened(std::string svg) {
+    svg = std::regex_replace(svg, std::regex("(\\.[0-9])[0-9]+"), "$1");
+    svg = std::regex_replace(svg, std::regex(">\\s+<"), "><");
+    svg = std::regex_replace(svg, std::regex("\\s+"), " ");
+    svg = without(
+        svg, " stroke-linecap=\"butt\"| stroke-linejoin=\"miter\"| font-family=\"sans-serif\"| class=\"gridline\"");
+    svg = without(svg, "<filter .*?</filter>");
+    svg = std::regex_replace(short_colours(svg), std::regex("xlink:href"), "href");
+    for (std::string before; before != svg;) {
+        before = svg;
+        svg = without_unused_marks(without(svg, "<g[^>]*></g>|<tspan[^>]*></tspan>"));
+    }
+    return svg;
+}
+
 /// A picture for the inside of a page: without the XML head, and with names that no other picture has.
 std::string inlined(const std::string& svg, int number, const std::string& says) {
     const std::size_t begin = svg.find("<svg"), end = svg.rfind("</svg>");
     if (begin == std::string::npos || end == std::string::npos)
         throw tamis::error("page: a figure is no SVG picture: it has no <svg>...</svg>");
-    std::string inner = svg.substr(begin, end + 6 - begin);
+    std::string inner = shortened(svg.substr(begin, end + 6 - begin));
     const std::string prefix = "f" + std::to_string(number) + "_";
     for (const std::string start : {" id='", " id=\"", "href='#", "href=\"#", "url(#"})
         inner = replaced(inner, start, start + prefix);

@@ -67,12 +67,13 @@ results_file::results_file(std::filesystem::path path, std::string machine, bool
     save();
 }
 
-bool results_file::has(const configuration& what) const {
-    return std::any_of(runs_.begin(), runs_.end(), [&](const measurement& run) { return run.what == what; });
+void results_file::take(const measurement& run) {
+    runs_.push_back(run);
+    known_.insert(run.what.text());
 }
 
 void results_file::add(const measurement& run) {
-    runs_.push_back(run);
+    take(run);
     if (now() - saved_ > 1) save();
 }
 
@@ -131,6 +132,6 @@ void results_file::read() {
         if (machine != machine_)
             throw tamis::error(path_.string() + " was measured on '" + machine + "' and this is '" + machine_ +
                                "', whose times cannot be compared with those; give another folder");
-        runs_.push_back(run);
+        take(run);
     }
 }

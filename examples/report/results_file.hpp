@@ -2,6 +2,7 @@
 #include "measurement.hpp"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ class results_file {
     results_file(std::filesystem::path path, std::string machine, bool resume);
 
     const std::vector<measurement>& runs() const { return runs_; }
-    bool has(const configuration& what) const;
+    bool has(const configuration& what) const { return known_.count(what.text()) > 0; }
     /// Adds a run. The file follows at most once a second, and at `save`.
     void add(const measurement& run);
     void save();
@@ -23,7 +24,9 @@ class results_file {
     std::filesystem::path path_;
     std::string machine_;
     std::vector<measurement> runs_;
+    std::set<std::string> known_;
     double saved_ = 0;
 
     void read();
+    void take(const measurement& run);
 };

@@ -77,9 +77,15 @@ TEST_CASE("manufactured solution: displacements fall with the second order, and 
         const manufactured_result coarse = with(2, 12, shape, "flip"), fine = with(2, 24, shape, "flip");
         CAPTURE(coarse.place_l2, fine.place_l2, coarse.velocity_l2, fine.velocity_l2);
         CHECK(order(coarse.place_l2, fine.place_l2) > 1.8);
-        CHECK(fine.crossings > 5 * fine.particles);
+        CHECK(fine.crossings > 4 * fine.particles);
         CHECK(std::abs(fine.energy_error) < 0.02);
     }
+    // FMPM's error at the usual steps is that of time, of first order.
+    const manufactured_result some = with(2, 8, "cpgimp", "fmpm", 0.05), more = with(2, 16, "cpgimp", "fmpm", 0.05);
+    CAPTURE(some.place_l2, more.place_l2, some.velocity_l2, more.velocity_l2);
+    CHECK(order(some.place_l2, more.place_l2) > 1.8);
+    CHECK(order(some.velocity_l2, more.velocity_l2) > 1.8);
+
     const manufactured_result coarse = with(3, 6, "cpgimp", "flip"), fine = with(3, 12, "cpgimp", "flip");
     CAPTURE(coarse.place_l2, fine.place_l2, coarse.velocity_l2, fine.velocity_l2);
     CHECK(order(coarse.place_l2, fine.place_l2) > 1.8);
