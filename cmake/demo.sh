@@ -25,11 +25,13 @@ for scene in standing_wave reflection shock; do
         echo "gnuplot is not installed, so $scene is not plotted."
     fi
 done
-echo "== shock_tube"
-build/demo/examples/shock_tube --summary out/shock_tube.json --csv out/shock_tube.csv
-if command -v gnuplot > /dev/null; then
-    gnuplot -e "csv='out/shock_tube.csv'; out='out/shock_tube'" examples/plots/shock_tube.gp
-fi
+for scene in gas_wave shock_tube; do
+    echo "== $scene"
+    "build/demo/examples/$scene" --summary "out/$scene.json" --csv "out/$scene.csv"
+    if command -v gnuplot > /dev/null; then
+        gnuplot -e "csv='out/$scene.csv'; out='out/$scene'" "examples/plots/$scene.gp"
+    fi
+done
 echo "== Error against run time (a minute or two)"
 if command -v gnuplot > /dev/null; then
     rm -rf out/report

@@ -1,14 +1,12 @@
 #include "bi_material.hpp"
 
 #include "require.hpp"
+#include "summary.hpp"
 #include "two_bars_run.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace {
 
-template <class Shape, class Scheme>
-two_bars_result with_motion(const bi_material_options& o, const Scheme& scheme) {
+template <class Shape, class Scheme> two_bars_result with_motion(const bi_material_options& o, const Scheme& scheme) {
     if (o.particles == "held") return run_two_bars(o.set, Shape{}, scheme, tamis::usl_minus{}, tamis::held{});
     return run_two_bars(o.set, Shape{}, scheme, tamis::usl_minus{}, tamis::moving{});
 }
@@ -24,28 +22,20 @@ bi_material_result run_bi_material(const bi_material_options& o) {
     require_name("update", o.update, {"flip", "fmpm"});
     require_name("particles", o.particles, {"moving", "held"});
     if (!(o.set.speed() > 0.2 && o.set.speed() < 1.6))
-        throw tamis::error("the right bar's wave speed is " + std::to_string(o.set.speed()) +
-                                 " times the left one's, and its pulse would be cut by the end or by the cells; give "
-                                 "ratios of modulus and density whose quotient is from 0.04 to 2.5");
+        throw unusable_option("the right bar's wave speed is " + std::to_string(o.set.speed()) +
+                              " times the left one's, and its pulse would be cut by the end or by the cells; give "
+                              "ratios of modulus and density whose quotient is from 0.04 to 2.5");
     return o.shape == "linear" ? with_update<tamis::linear>(o) : with_update<tamis::quadratic_spline>(o);
 }
 
 std::string summary_of(const bi_material_options& o, const bi_material_result& r) {
     const two_bars& set = o.set;
-    nlohmann::ordered_json all;
-    all["scene"] = "bi_material";
-    all["cells"] = set.cells;
-    all["per_cell"] = set.per_cell;
-    all["shape"] = o.shape;
-    all["update"] = o.update;
-    all["order"] = o.update == "fmpm" ? nlohmann::ordered_json(o.order) : nlohmann::ordered_json();
+    auto all = composition_of("bi_material", set.cells, set.per_cell, o);
     all["particles"] = o.particles;
     all["modulus_ratio"] = set.young;
     all["density_ratio"] = set.density;
-    all["particle_count"] = r.particle_count;
-    all["steps"] = r.steps;
+    put_cost(all, r.particle_count, r.steps, r.wall_seconds);
     all["courant"] = set.courant;
-    all["wall_seconds"] = r.wall_seconds;
     all["reflected"] = r.reflected;
     all["reflected_by_theory"] = set.reflected();
     all["transmitted"] = r.transmitted;

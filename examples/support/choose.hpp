@@ -18,10 +18,4 @@ template <class F> auto stress_order(const std::string& name, F f) {
 inline tamis::blend blend_of(const std::string& name, double alpha) {
     return tamis::blend{name == "pic" ? 0 : name == "flip" ? 1 : alpha};
 }
-template <class F> auto update(const std::string& name, int order, double alpha, F f) {
-    if (name == "xpic") return f(tamis::xpic<tamis::dynamic>{order});
-    if (name == "fmpm") return f(tamis::fmpm<tamis::dynamic>{order});
-    return f(blend_of(name, alpha));
-}
-
 }  // namespace choose

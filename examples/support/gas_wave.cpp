@@ -2,12 +2,11 @@
 
 #include "exact.hpp"
 #include "require.hpp"
+#include "summary.hpp"
 
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
 #include <tamis/solver/motion.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -65,19 +64,24 @@ gas_wave_result run_gas_wave(const gas_wave_options& o) {
     const bool linear = o.shape == "linear";
     if (linear) {
         require_name("update", o.update, {"pic", "flip", "blend", "xpic", "fmpm"});
-        require_name("stress", o.stress, {"usf", "usl-", "usl+", "usavg-", "euler"});
+        if (o.has_order())
+            require_name("stress (xpic, fmpm)", o.stress, {"usl-", "usavg-"});
+        else
+            require_name("stress", o.stress, {"usf", "usl-", "usl+", "usavg-", "euler"});
     } else {
         require_name("update (quadratic)", o.update, {"pic", "flip", "blend", "fmpm"});
         require_name("stress (quadratic)", o.stress, {"usl-", "usavg-"});
     }
     if (o.rate == "admpm" && o.particles == "moving") {
         require_name("update with the rate admpm", o.update, {"pic", "flip", "blend"});
-        if (linear) require_name("stress with the rate admpm", o.stress, {"usl-", "euler"});
-        else require_name("stress with the rate admpm (quadratic)", o.stress, {"usl-"});
+        if (linear)
+            require_name("stress with the rate admpm", o.stress, {"usl-", "euler"});
+        else
+            require_name("stress with the rate admpm (quadratic)", o.stress, {"usl-"});
     }
     if (o.times.empty() || !(o.times.front() > 0) ||
         std::adjacent_find(o.times.begin(), o.times.end(), std::greater_equal<>()) != o.times.end())
-        throw tamis::error("times: give one or more, positive and ascending");
+        throw unusable_option("times: give one or more, positive and ascending");
     const bool held = o.particles == "held";
     if (linear)
         return held ? gas_wave::run_with<tamis::linear, tamis::held>(o)
@@ -87,28 +91,16 @@ gas_wave_result run_gas_wave(const gas_wave_options& o) {
 }
 
 std::string summary_of(const gas_wave_options& o, const gas_wave_result& r) {
-    nlohmann::ordered_json all;
-    all["scene"] = "gas_wave";
-    all["cells"] = o.cells;
-    all["per_cell"] = o.per_cell;
-    all["shape"] = o.shape;
-    all["update"] = o.update;
-    all["order"] = o.has_order() ? nlohmann::ordered_json(o.order) : nlohmann::ordered_json();
-    if (o.update == "blend") all["alpha"] = o.alpha;
-    all["stress"] = o.stress;
+    auto all = composition_of("gas_wave", o.cells, o.per_cell, o);
     all["particles"] = o.particles;
     all["rate"] = o.rate;
     all["drive"] = o.drive;
     all["gamma"] = o.gamma;
     all["amplitude"] = o.amplitude;
-    all["particle_count"] = r.particles.size();
-    all["steps"] = r.steps;
+    put_cost(all, r.particles.size(), r.steps, r.wall_seconds);
     all["dt"] = r.dt;
     all["time"] = o.times.back();
     all["courant"] = std::sqrt(o.gamma) * r.dt * o.cells;
-    all["wall_seconds"] = r.wall_seconds;
-    all["ns_per_particle_step"] =
-        r.wall_seconds * 1e9 / (static_cast<double>(r.steps) * static_cast<double>(r.particles.size()));
     auto records = nlohmann::ordered_json::array();
     for (const gas_wave_record& at : r.records) {
         nlohmann::ordered_json one;

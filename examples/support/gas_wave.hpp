@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-/// What can be chosen of the driven gas: a tube, 0 <= x <= 1 m, its left end fixed, its right end at speed v0 sin(10 t).
-/// rho0 = p0 = 1; c^2 = gamma.
+/// What can be chosen of the driven gas: a tube, 0 <= x <= 1 m, its left end fixed, its right end at speed v0 sin(10
+/// t). rho0 = p0 = 1; c^2 = gamma.
 struct gas_wave_options {
     int cells = 75, per_cell = 2;
     std::string shape = "linear", update = "flip", stress = "usl-", particles = "moving";
@@ -53,13 +53,13 @@ struct gas_wave_exact {
     /// Linear acoustics, with all images.
     double velocity(double x, double t) const;
     double pressure(double x, double t) const;
-    /// For any amplitude, before the wave comes to the fixed end or steepens to a shock: a simple wave. The speed is given
-    /// at the fixed place x = 1, as it is on the grid. Along a line of speed (gamma + 1)/2 u - c0 the velocity u is the
-    /// same (Riemann's invariant u + 2 (c - c0)/(gamma - 1) = 0).
+    /// For any amplitude, before the wave comes to the fixed end or steepens to a shock: a simple wave. The speed is
+    /// given at the fixed place x = 1, as it is on the grid. Along a line of speed (gamma + 1)/2 u - c0 the velocity u
+    /// is the same (Riemann's invariant u + 2 (c - c0)/(gamma - 1) = 0).
     double finite_velocity(double x, double t) const;
 };
 
-/// Throws `std::runtime_error` for a name that is not known and `tamis::error` if the run fails.
+/// Throws `unusable_option` for a name that is not known and `tamis::error` if the run fails.
 gas_wave_result run_gas_wave(const gas_wave_options& options);
 /// One line for each thing, and the JSON of all.
 std::string summary_of(const gas_wave_options& options, const gas_wave_result& result);

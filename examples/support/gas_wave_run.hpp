@@ -76,14 +76,15 @@ gas_wave_result run(const gas_wave_options& o, const Update& update, const Order
 }
 
 /// All that can be chosen for one shape and motion: each of the four is compiled by itself. Linear functions, which
-/// ADMPM has, come with all updates and stress orders; quadratic splines with those that are of use there.
+/// ADMPM has, come with all updates, PIC and FLIP with all stress orders too; quadratic splines with those that are of
+/// use.
 template <class Shape, class Motion> gas_wave_result run_with(const gas_wave_options& o) {
     constexpr bool linear = std::same_as<Shape, tamis::linear>;
     const auto with_order = [&](const auto& update) {
         const auto by_motion = [&](const auto& order) {
             return run<Shape, Motion, tamis::pressure_gas>(o, update, order);
         };
-        if constexpr (linear) {
+        if constexpr (linear && std::same_as<std::remove_cvref_t<decltype(update)>, tamis::blend>) {
             if (o.stress == "usf") return by_motion(tamis::usf{});
             if (o.stress == "usl+") return by_motion(tamis::usl_plus{});
             if (o.stress == "euler") return by_motion(tamis::euler{});

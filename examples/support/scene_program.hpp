@@ -1,4 +1,6 @@
 #pragma once
+#include "require.hpp"
+
 #include <tamis/observe/atomic_file.hpp>
 
 #include <CLI/CLI.hpp>
@@ -16,14 +18,14 @@ inline void put_summary(const std::string& text, const std::string& path) {
     file.commit();
 }
 
-/// Runs a program's body; what it throws is said in one line, and the code is 1.
+/// Runs a program's body; what it throws is said in one line, and the code is 1, or 2 for an option.
 template <class F> int run_program(const char* name, F f) {
     try {
         f();
         return 0;
     } catch (const std::exception& e) {
         std::fprintf(stderr, "%s: %s\n", name, e.what());
-        return 1;
+        return dynamic_cast<const unusable_option*>(&e) ? 2 : 1;
     }
 }
 

@@ -1,12 +1,11 @@
 #include "shock_tube.hpp"
 
 #include "require.hpp"
+#include "summary.hpp"
 
 #include <tamis/shape/cubic_spline.hpp>
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -63,8 +62,16 @@ void shock_tube_options::pressure_ratio(double ratio) {
 
 shock_tube_result run_shock_tube(const shock_tube_options& o) {
     require_name("shape", o.shape, {"linear", "quadratic", "cubic"});
-    require_name("update", o.update, {"pic", "flip", "blend", "xpic", "fmpm"});
-    require_name("stress", o.stress, {"usf", "usl-", "usl+", "usavg-", "usavg+"});
+    if (o.shape == "linear") {
+        require_name("update (linear)", o.update, {"pic", "flip", "blend", "fmpm"});
+        require_name("stress (linear)", o.stress, {"usl-", "usavg-"});
+    } else {
+        require_name("update", o.update, {"pic", "flip", "blend", "xpic", "fmpm"});
+        if (o.shape == "cubic")
+            require_name("stress (cubic)", o.stress, {"usl-", "usavg-", "usavg+"});
+        else
+            require_name("stress", o.stress, {"usf", "usl-", "usl+", "usavg-", "usavg+"});
+    }
     const auto run = o.shape == "linear"      ? &shock_tube::run_with<tamis::linear>
                      : o.shape == "quadratic" ? &shock_tube::run_with<tamis::quadratic_spline>
                                               : &shock_tube::run_with<tamis::cubic_spline>;
@@ -75,25 +82,13 @@ shock_tube_result run_shock_tube(const shock_tube_options& o) {
 
 std::string summary_of(const shock_tube_options& o, const shock_tube_result& r) {
     const tube& set = o.set;
-    nlohmann::ordered_json all;
-    all["scene"] = "shock_tube";
-    all["cells"] = set.cells;
-    all["per_cell"] = set.per_cell;
-    all["shape"] = o.shape;
-    all["update"] = o.update;
-    all["order"] = o.has_order() ? nlohmann::ordered_json(o.order) : nlohmann::ordered_json();
-    if (o.update == "blend") all["alpha"] = o.alpha;
-    all["stress"] = o.stress;
+    auto all = composition_of("shock_tube", set.cells, set.per_cell, o);
     all["pressure_ratio"] = set.left.pressure / set.right.pressure;
     all["viscosity_linear"] = set.linear;
     all["viscosity_quadratic"] = set.quadratic;
-    all["particle_count"] = r.particles.size();
-    all["steps"] = r.steps;
+    put_cost(all, r.particles.size(), r.steps, r.wall_seconds);
     all["time"] = set.time;
     all["courant"] = set.courant;
-    all["wall_seconds"] = r.wall_seconds;
-    all["ns_per_particle_step"] =
-        r.wall_seconds * 1e9 / static_cast<double>(r.particles.size()) / static_cast<double>(r.steps);
     all["density_l1"] = r.density_l1;
     all["velocity_l1"] = r.velocity_l1;
     all["pressure_l1"] = r.pressure_l1;

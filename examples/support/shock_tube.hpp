@@ -19,7 +19,7 @@ struct shock_tube_options {
 using shock_tube_result = tube_result;
 
 /// Runs the tube with the composition that the options name, and measures the result against the exact one. Throws
-/// `std::runtime_error` for a name that is not known and `tamis::error` if the run fails.
+/// `unusable_option` for a name that is not known and `tamis::error` if the run fails.
 shock_tube_result run_shock_tube(const shock_tube_options& options);
 /// The JSON of all numbers.
 std::string summary_of(const shock_tube_options& options, const shock_tube_result& result);

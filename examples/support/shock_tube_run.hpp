@@ -6,7 +6,16 @@
 #include <chrono>
 #include <cmath>
 
+// Named types, not lambdas inside `run`: what is compiled for them is shared by all compositions.
 namespace shock_tube {
+
+struct both_ends {
+    bool operator()(const auto& at) const { return at[0] <= 0 || at[0] >= 1; }
+};
+struct half {
+    bool on_the_left;
+    bool operator()(const auto& at) const { return (at[0] < 0.5) == on_the_left; }
+};
 
 /// What the bodies tell; it does not depend on the update and the stress order, so it is compiled for few types.
 template <class Body> double energy_of(const Body& left, const Body& right) {
@@ -36,14 +45,12 @@ template <class Shape, class Scheme, class Order>
 tube_result run(const tube& set, const Scheme& scheme, const Order& order) {
     using namespace tamis;
     const double h = 1. / set.cells;
-    const fixed ends{[](const auto& at) { return at[0] <= 0 || at[0] >= 1; }};
+    const fixed ends{both_ends{}};
     solver mpm{uniform_grid{{0.}, {1.}, h}, Shape{}, scheme, order, ends};
     const artificial_viscosity q{.length = h, .linear = set.linear, .quadratic = set.quadratic};
     const auto gas = [&](const riemann::state& of, bool on_the_left) {
-        return mpm.make_body(
-            shocked_gas{set.gamma, of.density, of.pressure, q},
-            [on_the_left](const auto& at) { return (at[0] < 0.5) == on_the_left; }, per_cell{set.per_cell},
-            fields<field::density>{});
+        return mpm.make_body(shocked_gas{set.gamma, of.density, of.pressure, q}, half{on_the_left},
+                             per_cell{set.per_cell}, fields<field::density>{});
     };
     auto left = gas(set.left, true), right = gas(set.right, false);
     tube_result result;
@@ -57,11 +64,23 @@ tube_result run(const tube& set, const Scheme& scheme, const Order& order) {
     return result;
 }
 
-/// All updates and stress orders for one shape: each of the three is compiled by itself.
+/// What can be chosen for one shape: each of the three is compiled by itself. Quadratic splines come with all updates
+/// and stress orders, the others with those that are of use (docs/gas.md).
 template <class Shape> tube_result run_with(const shock_tube_options& o) {
-    return choose::update(o.update, o.order, o.alpha, [&](const auto& update) {
-        return choose::stress_order(o.stress, [&](const auto& order) { return run<Shape>(o.set, update, order); });
-    });
+    const auto with = [&](const auto& update) {
+        const auto run_order = [&](const auto& order) { return run<Shape>(o.set, update, order); };
+        if constexpr (std::same_as<Shape, tamis::quadratic_spline>) {
+            return choose::stress_order(o.stress, run_order);
+        } else {
+            if constexpr (!std::same_as<Shape, tamis::linear>)
+                if (o.stress == "usavg+") return run_order(tamis::usavg_plus{});
+            return o.stress == "usl-" ? run_order(tamis::usl_minus{}) : run_order(tamis::usavg_minus{});
+        }
+    };
+    if constexpr (!std::same_as<Shape, tamis::linear>)
+        if (o.update == "xpic") return with(tamis::xpic<tamis::dynamic>{o.order});
+    if (o.update == "fmpm") return with(tamis::fmpm<tamis::dynamic>{o.order});
+    return with(choose::blend_of(o.update, o.alpha));
 }
 
 }  // namespace shock_tube

@@ -16,8 +16,7 @@ struct state {
 };
 template <class Body> std::vector<state> states_of(const Body& gas) {
     std::vector<state> all;
-    for (const auto p : gas)
-        all.push_back({p[x][0], p[v][0], p[m], p[V], p[sigma](0, 0), p[field::internal_energy{}]});
+    for (const auto p : gas) all.push_back({p[x][0], p[v][0], p[m], p[V], p[sigma](0, 0), p[field::internal_energy{}]});
     return all;
 }
 double kinetic_of(const std::vector<state>& all) {
@@ -41,11 +40,11 @@ TEST_CASE("energy of a gas: stress gives the particles what it takes, less what 
         const std::vector<state> before = states_of(std::as_const(gas));
         // The nodes' masses, momenta and forces by hand.
         std::vector<double> mass(cells + 1), momentum(cells + 1), force(cells + 1);
-        const auto each_node = [&](const state& p, auto f) {
+        const auto each_node = [&](const state& p, auto visit) {
             const auto i = static_cast<std::size_t>(p.x / h);
             const double w = p.x / h - static_cast<double>(i);
-            f(i, 1 - w, -1 / h);
-            f(i + 1, w, 1 / h);
+            visit(i, 1 - w, -1 / h);
+            visit(i + 1, w, 1 / h);
         };
         for (const state& p : before)
             each_node(p, [&](std::size_t i, double w, double dw) {
@@ -56,14 +55,14 @@ TEST_CASE("energy of a gas: stress gives the particles what it takes, less what 
         double work = 0, unseen = 0;
         for (std::size_t i = 0; i <= cells; ++i)
             if (mass[i] > 0) {
-                const double a = force[i] / mass[i];
-                work += dt * force[i] * (momentum[i] / mass[i] + dt * a / 2);
-                unseen += dt * dt / 2 * mass[i] * a * a;
+                const double gain = force[i] / mass[i];
+                work += dt * force[i] * (momentum[i] / mass[i] + dt * gain / 2);
+                unseen += dt * dt / 2 * mass[i] * gain * gain;
             }
         for (const state& p : before) {
-            double a = 0;
-            each_node(p, [&](std::size_t i, double w, double) { a += w * force[i] / mass[i]; });
-            unseen -= dt * dt / 2 * p.m * a * a;
+            double felt = 0;
+            each_node(p, [&](std::size_t i, double w, double) { felt += w * force[i] / mass[i]; });
+            unseen -= dt * dt / 2 * p.m * felt * felt;
         }
         CHECK(unseen >= 0);
         mpm.step(bodies(gas), dt);
@@ -75,7 +74,8 @@ TEST_CASE("energy of a gas: stress gives the particles what it takes, less what 
 }
 
 TEST_CASE("energy of a fluid: what is left of the budget falls with the step") {
-    // A closed tube rings. Without a pressure at rest, whose quadrature by moving particles makes noise that FLIP damps.
+    // A closed tube rings. Without a pressure at rest, whose quadrature by moving particles makes noise that FLIP
+    // damps.
     const auto off = [](const auto& order, double number) {
         const fixed ends{[](const auto& at) { return at[0] <= 0 || at[0] >= 1; }};
         solver mpm{uniform_grid{{0.}, {1.}, 0.02}, quadratic_spline{}, flip{}, order, ends};

@@ -1,6 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
 #include <tamis/core/names.hpp>
+#include <tamis/core/power.hpp>
 
 #include <cmath>
 
@@ -94,7 +95,7 @@ template <class Viscosity> struct ideal_gas_of {
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         using T = typename Tensor::Scalar;
         const T d = L.trace(), J = constant<T>(1) + d * dt;
-        const T share = detail::exponential(T(constant<T>(1 - gamma) * detail::logarithm(J)));
+        const T share = detail::power(J, 1 - gamma);
         if constexpr (!viscous)
             return p[symbols::sigma] * share;
         else {

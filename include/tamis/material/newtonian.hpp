@@ -12,9 +12,9 @@ namespace tamis {
 ///
 ///     tau = tau(Law) + (V/V0) (2 mu (D - tr D/3 1) + kappa tr D 1),    D = (grad v + grad v^T)/2
 ///
-/// `viscosity` is mu, `bulk_viscosity` kappa (Pa s). The deviator is that of three axes in every dimension, so 1D and 2D
-/// are flows that are the same along the axes left out: in 1D the viscous stress is (4/3 mu + kappa) dv/dx. The law's
-/// own stress must not be read from the particle, where it is mixed with the viscous one. Stores the density.
+/// `viscosity` is mu, `bulk_viscosity` kappa (Pa s). The deviator is that of three axes in every dimension, so 1D and
+/// 2D are flows that are the same along the axes left out: in 1D the viscous stress is (4/3 mu + kappa) dv/dx. The
+/// law's own stress must not be read from the particle, where it is mixed with the viscous one. Stores the density.
 ///
 /// Steps are explicit, so besides the Courant number dt must stay below about h^2 rho/(2 Dim (4/3 mu + kappa));
 /// `integrate` does not look for that.
@@ -50,7 +50,8 @@ template <class Law> struct newtonian {
             return law.wave_speed();
     }
     /// Stored energy of the law inside (J/m^Dim of reference volume).
-    auto energy(auto&& p, const auto& tau) const requires requires { law.energy(p, tau); } { return law.energy(p, tau); }
+    auto energy(auto&& p, const auto& tau) const requires requires { law.energy(p, tau); }
+    { return law.energy(p, tau); }
 
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         using namespace symbols;

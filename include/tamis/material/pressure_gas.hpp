@@ -1,7 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
-#include <tamis/core/lanes.hpp>
 #include <tamis/core/names.hpp>
+#include <tamis/core/power.hpp>
 
 #include <cmath>
 
@@ -25,10 +25,10 @@ struct admpm {
 }  // namespace pressure_rate
 
 /// Gas without viscosity and conduction of heat, whose entropy is the same everywhere, followed by the rate of its
-/// pressure; gamma = 1 is a gas of constant temperature. `density` (kg/m^Dim) and `pressure` (Pa) are those of the state
-/// that a particle's volume V0 refers to. `ambient` (Pa) is the pressure around the body, which is taken off: only the
-/// difference makes forces. (A uniform pressure has no force inside a body, but linear functions do not see that its
-/// particles' volumes change while none of them changes cell: there, give the ambient pressure.)
+/// pressure; gamma = 1 is a gas of constant temperature. `density` (kg/m^Dim) and `pressure` (Pa) are those of the
+/// state that a particle's volume V0 refers to. `ambient` (Pa) is the pressure around the body, which is taken off:
+/// only the difference makes forces. (A uniform pressure has no force inside a body, but linear functions do not see
+/// that its particles' volumes change while none of them changes cell: there, give the ambient pressure.)
 ///
 /// Moving particles: p' = p J^-gamma for a change of volume by J = 1 + dt div v in a step, and the Kirchhoff stress is
 /// -(p - ambient) V/V0 with V/V0 = (pressure/p)^(1/gamma). Held ones are fixed points in space, so V = V0; forces then
@@ -68,8 +68,8 @@ template <class Rate> struct pressure_gas_of {
     /// volume).
     double energy(auto&& p, const auto&) const {
         const double now = detail::to_double(p[field::pressure{}]), J = std::pow(now / pressure, -1 / gamma);
-        const double work = gamma == 1 ? -pressure * std::log(J)
-                                       : pressure * std::expm1((1 - gamma) * std::log(J)) / (gamma - 1);
+        const double work =
+            gamma == 1 ? -pressure * std::log(J) : pressure * std::expm1((1 - gamma) * std::log(J)) / (gamma - 1);
         return work + ambient * (J - 1);
     }
 
@@ -77,10 +77,8 @@ template <class Rate> struct pressure_gas_of {
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         using T = typename Tensor::Scalar;
         auto& now = p[field::pressure{}];
-        const T log_J = detail::logarithm(T(constant<T>(1) + L.trace() * dt));
-        now = now * detail::exponential(T(constant<T>(-gamma) * log_J));
-        const T J =
-            detail::exponential(T(constant<T>(-1 / gamma) * detail::logarithm(T(now * constant<T>(1 / pressure)))));
+        now = now * detail::power(T(constant<T>(1) + L.trace() * dt), -gamma);
+        const T J = detail::power(T(now * constant<T>(1 / pressure)), -1 / gamma);
         return Tensor::Identity() * ((constant<T>(ambient) - now) * J);
     }
     /// At a fixed point.

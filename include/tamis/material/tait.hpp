@@ -1,7 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
-#include <tamis/core/lanes.hpp>
 #include <tamis/core/names.hpp>
+#include <tamis/core/power.hpp>
 
 #include <cmath>
 
@@ -11,9 +11,9 @@ namespace tamis {
 ///
 ///     p = (K/n) ((rho/rho0)^n - 1),    tau = -p V/V0 = -p rho0/rho
 ///
-/// `bulk` is K (Pa), the bulk modulus at rho0; `exponent` is n (water: 7). rho0 is a particle's mass over its volume V0.
-/// `density` (kg/m^Dim) is that of the particles `make_body` makes. Stores the density. Pressure can be negative: the
-/// fluid does not tear.
+/// `bulk` is K (Pa), the bulk modulus at rho0; `exponent` is n (water: 7). rho0 is a particle's mass over its volume
+/// V0. `density` (kg/m^Dim) is that of the particles `make_body` makes. Stores the density. Pressure can be negative:
+/// the fluid does not tear.
 struct tait {
     double bulk, exponent = 7, density;
     using on_particles = fields<const field::density, const field::mass, const field::volume>;
@@ -41,8 +41,7 @@ struct tait {
     }
     /// Pressure (Pa) at rho/rho0.
     template <class T> T pressure_at(const T& ratio) const {
-        return constant<T>(bulk / exponent) *
-               (detail::exponential(T(constant<T>(exponent) * detail::logarithm(ratio))) - constant<T>(1));
+        return constant<T>(bulk / exponent) * (detail::power(ratio, exponent) - constant<T>(1));
     }
     /// Work that compressed a particle from rho0 (J/m^Dim of reference volume).
     double energy(auto&& p, const auto&) const {

@@ -21,8 +21,9 @@ struct carried_volume : scalar_field {
 template <class Law, class Shape, class List> inline constexpr bool needs_flow = false;
 template <class Law, class Shape, class List>
 requires requires { typename Law::carries; }
-inline constexpr bool needs_flow<Law, Shape, List> =
-    contains<List, held_weights<Shape>> || requires { requires Law::carries_when_moving; };
+inline constexpr bool needs_flow<Law, Shape, List> = contains<List, held_weights<Shape>> || requires {
+    requires Law::carries_when_moving;
+};
 
 /// Scratch of a body for that, made when it is first needed. A copy of the body makes its own.
 template <class S, bool Needed> struct carried_nodes {};

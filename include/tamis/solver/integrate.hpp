@@ -85,9 +85,10 @@ template <class... Body> void check_finite(const std::tuple<Body&...>& all, long
                 }
             }
             if (!std::isfinite(sum))
-                why = sentence("its velocity or stress is not a number. Likely causes: a time step above the stability "
-                               "limit (dt = ",
-                               dt, "), or a law that returned one", why.empty() ? "" : ". Its law says: ", why);
+                why = sentence(
+                    "its velocity or stress is not a number. Likely causes: a time step above the stability "
+                    "limit (dt = ",
+                    dt, "), or a law that returned one", why.empty() ? "" : ". Its law says: ", why);
             if (!why.empty())
                 throw error(sentence("particle ", k, " at (", list_of(p[symbols::x]), "), step ", steps, ", t = ", time,
                                      ": ", why));
