@@ -4,6 +4,7 @@
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
 
+#include "burgers.hpp"
 #include "reference/conservation.hpp"
 
 #include "catch.hpp"
@@ -14,17 +15,6 @@ using namespace tamis;
 using reference::shape_kind;
 
 namespace {
-
-/// A user's law.
-struct burgers {
-    static constexpr int unknowns = 1;
-    template <class State> State flux(const State& u, int) const {
-        State f;
-        f[0] = constant<typename State::Scalar>(0.5) * u[0] * u[0];
-        return f;
-    }
-    double wave_speed(const auto& u) const { return std::abs(u[0]); }
-};
 
 constexpr shape_kind kind_of(const linear&) { return shape_kind::linear; }
 constexpr shape_kind kind_of(const quadratic_spline&) { return shape_kind::quadratic_spline; }

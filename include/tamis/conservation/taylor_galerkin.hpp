@@ -28,9 +28,12 @@ namespace tamis {
 ///     taylor_galerkin scheme{uniform_grid{{0.}, {1.}, 0.01}.wrapped(0), law, per_cell{2}, linear{}, full_mass<4>{}};
 ///     scheme.set([](const auto& at) { return std::sin(2 * std::numbers::pi * at[0]); });
 ///     integrate(scheme, interval{0, 1}, courant{0.4});
-template <class Grid, ConservationLaw Law, ShapeFunction Shape = linear, class Mass = lumped_mass,
+template <class Grid, class Law, ShapeFunction Shape = linear, class Mass = lumped_mass,
           class Ends = conservation::ends<>, ExecutionPolicy Execution = serial, class Lanes = native_lanes>
 class taylor_galerkin {
+    static_assert(ConservationLaw<Law>,
+                  "tamis: the law of taylor_galerkin is no conservation law; give it `static constexpr int unknowns`, "
+                  "`flux(u, axis)`, which returns what u is, and `wave_speed()`");
     static_assert(
         std::same_as<Mass, lumped_mass> || detail::is_full_mass<Mass>,
         "tamis: the mass matrix of taylor_galerkin is lumped_mass{}, full_mass<k>{} or full_mass<dynamic>{k}");

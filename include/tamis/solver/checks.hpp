@@ -31,7 +31,8 @@ template <class Body, class Grid> void check_particles(const Body& b, const Grid
     using real = typename Body::real;
     const auto& other = b.lattice().grid();
     bool same = other.lower() == grid.lower() && other.upper() == grid.upper();
-    for (int d = 0; d < Body::dim; ++d) same = same && other.cells(d) == grid.cells(d);
+    for (int d = 0; d < Body::dim; ++d)
+        same = same && other.cells(d) == grid.cells(d) && other.wraps(d) == grid.wraps(d);
     if (!same) throw error("step: a body was made on another grid; make it with this solver's make_body");
     long k = 0;
     for (const auto p : b) {

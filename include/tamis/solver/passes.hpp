@@ -142,8 +142,8 @@ template <class Solver, class... Body> struct passes {
     /// SdV = S^T M S dv.
     void spread_increment() {
         if constexpr (C::bands)
-            if ((!C::moves ||
-                 mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>)&&!any_axis_wraps(mpm.lattice_))
+            if (!any_axis_wraps(mpm.lattice_) &&
+                (!C::moves || mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>))
                 return multiply_increment();
         set_zero<field::image>();
         each_body([](auto& b, auto& sweeps) {
