@@ -53,8 +53,8 @@ double least_error(const std::vector<measurement>& runs) {
     return least;
 }
 
-const std::vector<std::string> run_columns{
-    "composition", "cells", "error", "run time", "spread", "steps", "ns per particle and step", "energy"};
+const std::vector<std::string> run_columns{"composition",          "cells", "error", "run time", "spread", "steps",
+                                           "ns per particle-step", "energy"};
 std::vector<std::string> row_of(const measurement& run) {
     return {run.what.composition(),
             std::to_string(run.what.cells),
@@ -99,7 +99,7 @@ page::table_of orders_table(const report_scene& scene, const std::vector<measure
     page::table_of table;
     table.columns = {"composition", "observed order",  "finest",
                      "error",       scene.velocity_is, scene.other_is,
-                     "energy",      "run time",        "ns per particle and step"};
+                     "energy",      "run time",        "ns per particle-step"};
     table.caption =
         "Observed order (slope of log error over log cells, all resolutions with an error below 1), and the finest "
         "grid's "

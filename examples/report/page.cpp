@@ -30,7 +30,7 @@ table { border-collapse: collapse; font-size: 0.9rem; }
 .caption { margin: 1rem 0 0; font-size: 0.9rem; }
 th, td { padding: 0.2rem 0.6rem; border-bottom: 1px solid #d8d8d8; text-align: left; vertical-align: top; }
 th { border-bottom: 2px solid #707070; vertical-align: bottom; }
-td { white-space: nowrap; }
+td, th { white-space: nowrap; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 .marked td { background: #fff3d6; }
 .facts td { white-space: normal; overflow-wrap: anywhere; }
