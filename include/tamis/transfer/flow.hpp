@@ -2,7 +2,7 @@
 #include <tamis/particles/carried.hpp>
 #include <tamis/transfer/gather.hpp>
 
-namespace tamis {
+namespace tamis::detail {
 
 /// What a law with `carries` is told of the flow at W particles: `stress(p, grad_v, dt, flow)`.
 template <class S> struct flow {
@@ -10,8 +10,6 @@ template <class S> struct flow {
     typename S::vector slope;     // of the field that the law carries, per m
     typename S::scalar flux;      // sum of G_pi . v_i c_i: divergence of velocity times that field
 };
-
-namespace detail {
 
 /// c V0 and V0 to nodes, c the field that the law carries.
 template <class Carried> struct carried_to_nodes {
@@ -51,5 +49,4 @@ template <class S, class Shape, class Velocity> struct look_at_flow {
     }
 };
 
-}  // namespace detail
-}  // namespace tamis
+}  // namespace tamis::detail
