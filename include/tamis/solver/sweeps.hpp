@@ -233,7 +233,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     const Execution& run_;
     nodes_type nodes_;
     std::vector<char, aligned_allocator<char>> scratch_;  // of gather_and_scatter, kept from step to step
-    std::vector<T> parts_;  // of sums over nodes
+    std::vector<T> parts_;                                // of sums over nodes
 
     /// Slabs k and k + 2 share no node: even ones first, then odd ones, whatever the number of threads.
     template <class Store, class F> void each_tile_by_colour(Store& store, const F& f) {
