@@ -21,7 +21,6 @@ template <class T> struct lane {
     TAMIS_INLINE static void store(real* to, const T& value) { *to = value; }
     TAMIS_INLINE static T iota() { return T(0); }
     TAMIS_INLINE static bool any(bool mask) { return mask; }
-    TAMIS_INLINE static bool all(bool mask) { return mask; }
     template <class Mask> TAMIS_INLINE static T select(const Mask& mask, const T& yes, const T& no) {
         return mask ? yes : no;
     }
@@ -49,7 +48,6 @@ template <class Real, class Arch> struct lane<xsimd::batch<Real, Arch>> {
         return load(a);
     }
     template <class Mask> TAMIS_INLINE static bool any(const Mask& mask) { return xsimd::any(mask); }
-    template <class Mask> TAMIS_INLINE static bool all(const Mask& mask) { return xsimd::all(mask); }
     template <class Mask> TAMIS_INLINE static T select(const Mask& mask, const T& yes, const T& no) {
         return xsimd::select(mask, yes, no);
     }

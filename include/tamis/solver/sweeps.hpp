@@ -344,7 +344,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             }
             if (ahead) row.add(sums, columns, place);
             if constexpr (Moves)
-                if (!lane<T>::all(stay)) [[unlikely]]
+                if (lane<T>::any(!stay)) [[unlikely]]
                     some_left = post_leavers(store, lattice_, k, j) || some_left;
         }
         row_out = row;

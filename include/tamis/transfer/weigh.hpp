@@ -33,7 +33,7 @@ template <class S, class Shape, bool Moves> struct tile_weights {
     }
     /// Has one of the slot's particles left its cell, or the grid? True also for a place that is not a number.
     template <class Slot> TAMIS_INLINE bool may_have_left(const Slot& slot) const {
-        return !lane<typename S::scalar>::all(stays(slot));
+        return lane<typename S::scalar>::any(!stays(slot));
     }
     /// Which particles of the slot are still in their cell.
     template <class Slot> TAMIS_INLINE auto stays(const Slot& slot) const {
