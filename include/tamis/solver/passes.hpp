@@ -1,5 +1,6 @@
 #pragma once
 #include <tamis/contact/policies.hpp>
+#include <tamis/grid/wrap.hpp>
 #include <tamis/solver/composition.hpp>
 #include <tamis/solver/damping.hpp>
 #include <tamis/solver/kernels.hpp>

@@ -54,6 +54,10 @@ template <class S, class Shape, class List> class nodes_around {
         constexpr int W = S::width;
         if constexpr (S::dim == 1)
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { to[a] = L::load(nodes.template column<F>(c) + first + a); });
+        else if constexpr (W == 1)
+            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
+                to[a] = *nodes.template block<F>(first + static_cast<std::size_t>(a), c);
+            });
         else {
             const auto block = [&](int q) TAMIS_INLINE_LAMBDA {
                 return L::load(nodes.template block<F>(first + static_cast<std::size_t>(q * W), c));
@@ -132,19 +136,20 @@ template <class Gradient, class S, class Shape, class List, class... F, int Comp
 TAMIS_INLINE void gather(const nodes_around<S, Shape, List>& around, const stencil<S, Shape::support>& st,
                          gathered<S, fields<F...>, Components>& to) {
     constexpr int D = S::dim;
-    const auto field = [&](auto tag, auto wants_sum) TAMIS_INLINE_LAMBDA {
+    const auto field = [&](auto tag, auto wants_sum, auto& gathers) TAMIS_INLINE_LAMBDA {
         using G = std::remove_const_t<typename decltype(tag)::type>;
         constexpr bool slope = std::same_as<G, Gradient>;
         TAMIS_KEEP_LOOP
         for (int c = 0; c < G::template components<S>; ++c) {
             const auto at = at_particles<D, slope, Shape>(st, around.template values_of<G>(c));
-            if constexpr (wants_sum) component<S>(to.sums.template get<G>(), c) = at.value;
-            if constexpr (slope) unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA { to.gradient(c, int(d)) = at.slope[d]; });
+            if constexpr (wants_sum) component<S>(gathers.sums.template get<G>(), c) = at.value;
+            if constexpr (slope)
+                unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA { gathers.gradient(c, int(d)) = at.slope[d]; });
         }
     };
-    (field(std::type_identity<F>{}, std::true_type{}), ...);
+    (field(std::type_identity<F>{}, std::true_type{}, to), ...);
     if constexpr (!std::same_as<Gradient, no_field> && !contains<fields<F...>, Gradient>)
-        field(std::type_identity<Gradient>{}, std::false_type{});
+        field(std::type_identity<Gradient>{}, std::false_type{}, to);
 }
 
 }  // namespace tamis::detail

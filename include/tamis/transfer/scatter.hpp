@@ -102,19 +102,19 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
     const auto add = [&](auto group, auto& sums, Slot& from, const stencil<S, N>& st, const auto& across,
                          const auto& made) TAMIS_INLINE_LAMBDA {
         using sums_type = group_sums<S, typename decltype(group)::type, ToNodes>;
+        const slot_row<S, Slot, Shown> p{from, at};
+        const auto give = [&](const auto& near, auto a) TAMIS_INLINE_LAMBDA {
+            if constexpr (requires { requires Kernel::by_place; })
+                kernel(p, near, made, a);
+            else
+                kernel(p, near, made);
+        };
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
             sums_type to(sums[a]);
-            const slot_row<S, Slot, Shown> p{from, at};
-            if constexpr (a == pivot) {
-                const one_node<S, sums_type, ToNodes, slope_of_row<S>> near{{{to}, across.w, {across.d1, across.d2}}};
-                kernel(p, near, made);
-            } else {
-                const one_node<S, sums_type, ToNodes> near{{{to}, st.weight(a, across), st.slope(a, across)}};
-                if constexpr (requires { requires Kernel::by_place; })
-                    kernel(p, near, made, a);
-                else
-                    kernel(p, near, made);
-            }
+            if constexpr (a == pivot)
+                give(one_node<S, sums_type, ToNodes, slope_of_row<S>>{{{to}, across.w, {across.d1, across.d2}}}, a);
+            else
+                give(one_node<S, sums_type, ToNodes>{{{to}, st.weight(a, across), st.slope(a, across)}}, a);
         });
     };
     if constexpr (rows == 1) {
