@@ -101,7 +101,7 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
     Slot* slot = slots + t.first;
     const auto add = [&](auto group, auto& sums, Slot& from, const stencil<S, N>& st, const auto& across,
                          const auto& made) TAMIS_INLINE_LAMBDA {
-        using sums_type = group_sums<S, typename decltype(group)::type, ToNodes>;
+        using sums_type = group_sums<S, typename std::remove_cvref_t<decltype(group)>::type, ToNodes>;
         const slot_row<S, Slot, Shown> p{from, at};
         const auto give = [&](const auto& near, auto a) TAMIS_INLINE_LAMBDA {
             if constexpr (requires { requires Kernel::by_place; })
