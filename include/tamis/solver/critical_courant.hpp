@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/error.hpp>
 #include <tamis/shape/gimp.hpp>
 #include <tamis/solver/composition.hpp>
 #include <tamis/solver/critical_table.hpp>
@@ -128,7 +129,7 @@ template <class C> std::string name_of_composition(const typename C::transfer& t
     }
     name += ", ";
     add(transfer, "own update");
-    if constexpr (requires { transfer.mass.terms(); }) name += "(" + std::to_string(transfer.mass.terms()) + ")";
+    if constexpr (requires { transfer.mass.terms(); }) name += sentence("(", transfer.mass.terms(), ")");
     name += ", ";
     if constexpr (requires { C::order::name; })
         name += std::string(C::order::name);
