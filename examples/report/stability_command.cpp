@@ -81,8 +81,8 @@ std::string heat_map(const std::vector<map_row>& map, int per_cell, bool free_en
               "set xrange [-0.5:"
            << static_cast<double>(columns.size()) - 0.5 << "]\nset yrange [" << 0.5 - static_cast<double>(rows.size())
            << ":0.5]\n$d << EOD\n"
-           << data.str() << "EOD\nplot $d using 1:2:3 with image pixels, $d using 1:2:4 with labels font ',11'\n";
-    return svg_by_gnuplot(script.str(), {760, 430});
+           << data.str() << "EOD\nplot $d using 1:2:3 with image pixels, $d using 1:2:4 with labels font ',14'\n";
+    return svg_by_gnuplot(script.str(), {640, 420});
 }
 
 std::string runs_plot(const std::vector<run_check>& runs) {
