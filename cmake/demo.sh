@@ -1,6 +1,6 @@
 #!/bin/sh
 # sh cmake/demo.sh: installs what is missing (Debian, Ubuntu), builds the examples, runs four scenes, and makes the
-# report of error against run time. Tables, CSV files, plots and the report are left in out/.
+# reports of error against run time and of stability. Tables, CSV files, plots and the report are left in out/.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -32,12 +32,13 @@ for scene in gas_wave shock_tube; do
         gnuplot -e "csv='out/$scene.csv'; out='out/$scene'" "examples/plots/$scene.gp"
     fi
 done
-echo "== Error against run time (a minute or two)"
+echo "== Reports: error against run time, stability (a minute or two)"
 if command -v gnuplot > /dev/null; then
     rm -rf out/report
     build/demo/examples/report/tamis_report error --quick --out out/report
+    build/demo/examples/report/tamis_report stability --quick --out out/report
 else
-    echo "gnuplot is not installed, so the report, whose pictures it draws, is not made."
+    echo "gnuplot is not installed, so the reports, whose pictures it draws, are not made."
 fi
 echo "== Written to out/:"
 ls out

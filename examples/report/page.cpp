@@ -71,6 +71,19 @@ std::string marked_up(const std::string& text) {
     return html;
 }
 
+/// One digit after the point is enough for places, but not for what a picture says.
+std::string with_short_numbers(const std::string& svg) {
+    static const std::regex tag("<[^>]*>"), digits("(\\.[0-9])[0-9]+");
+    std::string all;
+    auto from = svg.cbegin();
+    for (std::sregex_iterator at(svg.begin(), svg.end(), tag), end; at != end; ++at) {
+        all.append(from, (*at)[0].first);
+        all += std::regex_replace((*at).str(), digits, "$1");
+        from = (*at)[0].second;
+    }
+    return all.append(from, svg.cend());
+}
+
 std::string without(const std::string& text, const char* pattern) {
     return std::regex_replace(text, std::regex(pattern), "");
 }
@@ -103,7 +116,7 @@ std::string without_unused_marks(const std::string& svg) {
 /// gnuplot's SVG in a third of its bytes: coordinates to a tenth of a pixel, nothing that is empty, unused, or said
 /// though it is the default.
 std::string shortened(std::string svg) {
-    svg = std::regex_replace(svg, std::regex("(\\.[0-9])[0-9]+"), "$1");
+    svg = with_short_numbers(svg);
     svg = std::regex_replace(svg, std::regex(">\\s+<"), "><");
     svg = std::regex_replace(svg, std::regex("\\s+"), " ");
     svg = without(

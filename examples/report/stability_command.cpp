@@ -27,6 +27,11 @@ std::string fixed_number(double value) {
     std::snprintf(text, sizeof text, "%.3f", value);
     return text;
 }
+std::string two_digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", value);
+    return text;
+}
 std::string quoted(std::string text) {
     for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) text.insert(at, 1, '"');
     return '"' + text + '"';
@@ -68,7 +73,7 @@ std::string heat_map(const std::vector<map_row>& map, int per_cell, bool free_en
         const auto y = place(rows, r.shape + ", " + r.stress);
         const auto x = place(columns, r.update == "flip" ? "FLIP" : std::to_string(r.k));
         const double value = free_end ? r.free_end : r.inner;
-        data << x << ' ' << -y << ' ' << value << ' ' << fixed_number(value).substr(0, 4) << '\n';
+        data << x << ' ' << -y << ' ' << value << ' ' << two_digits(value) << '\n';
     }
     std::ostringstream script;
     script << "unset key\nset xtics rotate by 0 (";
@@ -81,7 +86,7 @@ std::string heat_map(const std::vector<map_row>& map, int per_cell, bool free_en
               "set xrange [-0.5:"
            << static_cast<double>(columns.size()) - 0.5 << "]\nset yrange [" << 0.5 - static_cast<double>(rows.size())
            << ":0.5]\n$d << EOD\n"
-           << data.str() << "EOD\nplot $d using 1:2:3 with image pixels, $d using 1:2:4 with labels font ',14'\n";
+           << data.str() << "EOD\nplot $d using 1:2:3 with image pixels, $d using 1:2:4 with labels font ',15'\n";
     return svg_by_gnuplot(script.str(), {640, 420});
 }
 
