@@ -9,8 +9,7 @@ namespace tamis {
 template <class G, class L, class... P, class... Observer>
 long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, fixed_steps steps, Observer&&... observers) {
     using real = typename G::real;
-    if (!(span.end > span.begin))
-        throw error("integrate: the end is not after the beginning; give an interval {begin, end}");
+    detail::check_span(span);
     if (steps.count < 1)
         throw error(detail::sentence("integrate: ", steps.count, " steps; give fixed_steps{1} or more"));
     const double dt = (span.end - span.begin) / static_cast<double>(steps.count);
