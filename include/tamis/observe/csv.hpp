@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/each_of.hpp>
 #include <tamis/observe/atomic_file.hpp>
 #include <tamis/observe/record.hpp>
 #include <tamis/solver/integrate.hpp>
@@ -166,7 +167,7 @@ template <class Lattice, class Shape, class... Body> class csv_output {
             }
             ++k;
         };
-        std::apply([&](const auto&... body) { (put(body), ...); }, all_);
+        detail::each_of(all_, put);
     }
     void put_nodes(double time) {
         put_columns();

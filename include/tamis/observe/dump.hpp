@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/each_of.hpp>
 #include <tamis/observe/atomic_file.hpp>
 #include <tamis/observe/watch.hpp>
 
@@ -153,7 +154,7 @@ template <class Lattice, class Shape, class... Body> class dump_output {
             }
             ++k;
         };
-        std::apply([&](const auto&... body) { (each(body), ...); }, all_);
+        detail::each_of(all_, each);
         return texts;
     }
     void find_touches(std::vector<touch>& touches, std::vector<std::size_t>& alone) const {
@@ -170,7 +171,7 @@ template <class Lattice, class Shape, class... Body> class dump_output {
                 ++n;
             }
         };
-        std::apply([&](const auto&... body) { (each(body), ...); }, all_);
+        detail::each_of(all_, each);
         std::stable_sort(touches.begin(), touches.end(),
                          [](const touch& a, const touch& b) { return before(a.node, b.node); });
     }

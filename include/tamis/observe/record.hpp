@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/each_of.hpp>
 #include <tamis/core/memory.hpp>
 #include <tamis/particles/reach.hpp>
 
@@ -108,7 +109,7 @@ auto node_records(const detail::lattice<S, Shape>& lattice, const Shape& functio
             });
         }
     };
-    std::apply([&](const auto&... body) { (add(body), ...); }, all);
+    detail::each_of(all, add);
 
     std::erase_if(reached, [](const node_type& node) { return !(node.mean.mass > real(0)); });
     std::sort(reached.begin(), reached.end(),

@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/each_of.hpp>
 #include <tamis/observe/record.hpp>
 #include <tamis/solver/integrate.hpp>
 
@@ -66,7 +67,7 @@ template <class... Body> std::vector<bad_particle> bad_particles(const std::tupl
         }
         ++k;
     };
-    std::apply([&](const auto&... body) { (look(body), ...); }, all);
+    each_of(all, look);
     return bad;
 }
 

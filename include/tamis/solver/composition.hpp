@@ -12,6 +12,8 @@
 #include <tamis/transfer/bands.hpp>
 #include <tamis/transfer/schemes.hpp>
 
+#include <array>
+#include <cstddef>
 #include <tuple>
 
 namespace tamis::detail {
@@ -102,23 +104,28 @@ template <class P, class Point> consteval role role_of() {
 
 template <class P, class Point> inline constexpr role role_v = role_of<P, Point>();
 
-template <role R, class Default, class Point, class... P> struct pick {
-    static constexpr int count = (0 + ... + (role_v<P, Point> == R ? 1 : 0));
-    static constexpr int place() {
-        int k = 0, found = -1;
-        ((found = role_v<P, Point> == R ? k : found, ++k), ...);
-        return found;
-    }
-    static_assert(count <= 1,
-                  "tamis: two policies of one role were given to solver{...}; keep one of them (several "
-                  "boundary conditions go into conditions{...}, several loads into loads{...})");
-    static auto of(const std::tuple<P...>& all) {
-        if constexpr (count == 0)
-            return Default{};
-        else
-            return std::get<static_cast<std::size_t>(place())>(all);
-    }
-    using type = decltype(of(std::declval<const std::tuple<P...>&>()));
+/// Where the policy of a role stands in a list of roles; -1 if there is none.
+template <std::size_t Count> consteval int place_of(const std::array<role, Count>& roles, role wanted) {
+    for (std::size_t k = 0; k < Count; ++k)
+        if (roles[k] == wanted) return static_cast<int>(k);
+    return -1;
+}
+template <std::size_t Count> consteval bool each_role_once(const std::array<role, Count>& roles) {
+    for (std::size_t k = 0; k < Count; ++k)
+        for (std::size_t j = 0; j < k; ++j)
+            if (roles[j] == roles[k]) return false;
+    return true;
+}
+/// The policies that a solver was given, in their order. A std::tuple of them takes longer to compile than a step.
+template <class... P> struct by_address { const void* at[sizeof...(P) + 1]; };
+/// The policy at a place, or the default if that is -1.
+template <int Place, class Default, class... P> struct pick {
+    using type = std::tuple_element_t<static_cast<std::size_t>(Place), std::tuple<P...>>;
+    static const type& of(const by_address<P...>& all) { return *static_cast<const type*>(all.at[Place]); }
+};
+template <class Default, class... P> struct pick<-1, Default, P...> {
+    using type = Default;
+    static Default of(const by_address<P...>&) { return Default{}; }
 };
 
 template <class P, class Point> struct is_policy {
@@ -138,7 +145,11 @@ template <class Grid, class... P> struct composition {
     using point_type = point<dim, real>;
     static_assert((is_policy<P, point_type>::value && ...));
 
-    template <role R, class Default> using by_role = pick<R, Default, point_type, P...>;
+    static constexpr std::array<role, sizeof...(P)> roles{role_v<P, point_type>...};
+    static_assert(each_role_once(roles),
+                  "tamis: two policies of one role were given to solver{...}; keep one of them (several "
+                  "boundary conditions go into conditions{...}, several loads into loads{...})");
+    template <role R, class Default> using by_role = pick<place_of(roles, R), Default, P...>;
     using shape = typename by_role<role::shape, quadratic_spline>::type;
     using transfer = typename by_role<role::transfer, flip>::type;
     using order = typename by_role<role::stress_order, usl_minus>::type;

@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/each_of.hpp>
 #include <tamis/solver/critical_courant.hpp>
 #include <tamis/solver/initial.hpp>
 #include <tamis/solver/solver.hpp>
@@ -81,7 +82,7 @@ template <bool Moves, class... Body> double signal_speed(const std::tuple<Body&.
             for (const auto p : body) speed = std::max(speed, detail::to_double(p[symbols::v].norm()));
         fastest = std::max(fastest, wave_speed_of(body) + speed);
     };
-    std::apply([&](const auto&... b) { (one(b), ...); }, all);
+    detail::each_of(all, one);
     return fastest;
 }
 
@@ -110,7 +111,7 @@ template <class... Body> void check_finite(const std::tuple<Body&...>& all, long
             ++k;
         }
     };
-    std::apply([&](const auto&... b) { (one(b), ...); }, all);
+    detail::each_of(all, one);
 }
 
 inline void check_span(const interval& span) {
@@ -159,7 +160,7 @@ step_limit limit_of(Solver& mpm, const std::tuple<Body&...>& all, const std::opt
                     numbers = numbers ? smaller(*numbers, *found) : *found;
             }
         };
-        std::apply([&](const auto&... b) { (one(b), ...); }, std::as_const(all));
+        detail::each_of(std::as_const(all), one);
         if (!known || !numbers) return limit;
         limit.known = true;
         limit.inner = limit.free_end = std::min(1., numbers->inner);

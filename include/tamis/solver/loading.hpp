@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/each_of.hpp>
 #include <tamis/core/error.hpp>
 #include <tamis/load/loads.hpp>
 #include <tamis/particles/body.hpp>
@@ -86,7 +87,7 @@ template <class Load, class... Body> void check_loaded(const Load& load, const s
         const auto look = [&](const auto& body) {
             for (const auto p : body) found = found || is_loaded(p);
         };
-        std::apply([&](const auto&... body) { (look(body), ...); }, all);
+        each_of(all, look);
         return found;
     };
     each_load(load, [&](auto k, const auto& one) {

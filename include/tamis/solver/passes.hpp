@@ -1,5 +1,6 @@
 #pragma once
 #include <tamis/contact/policies.hpp>
+#include <tamis/core/each_of.hpp>
 #include <tamis/grid/wrap.hpp>
 #include <tamis/solver/composition.hpp>
 #include <tamis/solver/damping.hpp>
@@ -41,18 +42,18 @@ template <class Solver, class... Body> struct passes {
     /// f(body, sweeps of its velocity field).
     template <class F> void each_body(F f) {
         std::size_t k = 0;
-        std::apply([&](auto&... b) { (f(b, mpm.field_of(k++).sweeps), ...); }, all);
+        each_of(all, [&](auto& b) { f(b, mpm.field_of(k++).sweeps); });
     }
     template <class F> void each_held(F f) {
-        mpm.each_field([&](auto& field) { f(field.held, field.sweeps.nodes()); });
+        for (auto& field : mpm.velocity_fields()) f(field.held, field.sweeps.nodes());
     }
     template <class... F, class Kernel> void nodes(fields<F...> list, Kernel kernel) {
-        mpm.each_field([&](auto& field) { field.sweeps.each_node(list, kernel); });
+        for (auto& field : mpm.velocity_fields()) field.sweeps.each_node(list, kernel);
     }
     /// The same with the kernel's own list.
     template <class Kernel> void nodes(Kernel kernel) { nodes(typename Kernel::list{}, kernel); }
     template <class... F> void set_zero() {
-        mpm.each_field([](auto& field) { field.sweeps.nodes().template set_zero<F...>(); });
+        for (auto& field : mpm.velocity_fields()) field.sweeps.nodes().template set_zero<F...>();
     }
 
     // Momentum, force and velocity, with what conditions and contact do to them.
@@ -76,7 +77,7 @@ template <class Solver, class... Body> struct passes {
     }
     /// Sums of particles at the two places of a node at a periodic wall are one.
     template <class... F> void wrap(fields<F...> list) {
-        mpm.each_field([&](auto& field) { detail::wrap(mpm.lattice_, field.sweeps.nodes(), list); });
+        for (auto& field : mpm.velocity_fields()) detail::wrap(mpm.lattice_, field.sweeps.nodes(), list);
     }
     /// The momentum of the step's start.
     void start(double t) {
@@ -91,7 +92,7 @@ template <class Solver, class... Body> struct passes {
     template <bool HoldsVelocity> void constrain_forces(double t) {
         if constexpr (C::kinds::on_nodes)
             damp<T, node_state<HoldsVelocity, C::moves>>(mpm.load_, mpm.time_, to_double(dt_), [&](auto f) {
-                mpm.each_field([&](auto& field) { f(field.sweeps); });
+                for (auto& field : mpm.velocity_fields()) f(field.sweeps);
             });
         if constexpr (C::own_velocities)
             if (acts_on_momentum) mpm.contact_.template forces<HoldsVelocity>(tables(), dt_);
@@ -169,10 +170,10 @@ template <class Solver, class... Body> struct passes {
     double increment_size() {
         using kernel = increment_square<S>;
         std::array<double, 2> sums{};
-        mpm.each_field([&](auto& field) {
+        for (auto& field : mpm.velocity_fields()) {
             const auto part = field.sweeps.template sum_over_nodes<2>(typename kernel::list{}, kernel{});
             for (std::size_t k = 0; k < 2; ++k) sums[k] += to_double(part[k]);
-        });
+        }
         return sums[0] > 0 ? std::sqrt(sums[1] / sums[0]) : 0;
     }
     void report(const series_report& series) { mpm.series_ = series; }
@@ -184,10 +185,9 @@ template <class Solver, class... Body> struct passes {
         each_body([&](auto& b, auto& sweeps) { sweeps.each_weight_pair(b, f); });
     }
     template <class Field, class F> void each_column(Field, F f) {
-        mpm.each_field([&](auto& field) {
+        for (auto& field : mpm.velocity_fields())
             for (int c = 0; c < Field::template components<S>; ++c)
                 field.sweeps.nodes().template with_column<Field>(c, f);
-        });
     }
 
     // Nodes to particles.
@@ -263,8 +263,8 @@ template <class Solver, class... Body> struct passes {
             });
             mpm.bands_made_for_ = mpm.weights_.number();
         }
-        mpm.each_field(
-            [](auto& field) { field.sweeps.template multiply_by_bands<band, field::increment, field::image>(); });
+        for (auto& field : mpm.velocity_fields())
+            field.sweeps.template multiply_by_bands<band, field::increment, field::image>();
     }
     template <class Gradient, bool Strains, class B, class Sweeps>
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {

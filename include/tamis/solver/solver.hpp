@@ -1,6 +1,7 @@
 #pragma once
 #include <tamis/boundary/held_nodes.hpp>
 #include <tamis/contact/touching_nodes.hpp>
+#include <tamis/core/each_of.hpp>
 #include <tamis/solver/checks.hpp>
 #include <tamis/solver/kernels.hpp>
 #include <tamis/solver/leaving.hpp>
@@ -40,7 +41,7 @@ template <class Grid, class... Policies> class solver {
         body<S, typename C::shape, L, merge<typename C::step_fields, on_particles_t<L>, fields<Extra...>>>;
 
     explicit solver(const Grid& grid, const Policies&... policies)
-        : solver(grid, std::tuple<Policies...>(policies...), 0) {}
+        : solver(grid, detail::by_address<Policies...>{{&policies..., nullptr}}) {}
     solver(const solver&) = delete;
     solver& operator=(const solver&) = delete;
 
@@ -56,7 +57,7 @@ template <class Grid, class... Policies> class solver {
         steps_ = 0;
         crossings_ = 0;
         ahead_.used = 0;
-        each_field([](auto& field) { field.held.restart(); });
+        for (auto& field : velocity_fields()) field.held.restart();
         if constexpr (C::own_velocities) contact_.restart();
         detail::restart_loads(load_);
     }
@@ -77,7 +78,7 @@ template <class Grid, class... Policies> class solver {
     /// Work of the conditions since the start (J).
     double boundary_work() const {
         double work = 0;
-        each_field([&](const auto& field) { work += field.held.work(); });
+        for (const auto& field : velocity_fields()) work += field.held.work();
         return work;
     }
     /// Nodes where bodies with velocities of their own touched in the last step.
@@ -133,7 +134,7 @@ template <class Grid, class... Policies> class solver {
             now.wrap(fields<field::mass>{});
         }
         double lightest = std::numeric_limits<double>::infinity();
-        each_field([&](auto& field) {
+        for (const auto& field : velocity_fields()) {
             const std::vector<std::size_t> held = field.held.places();
             const auto& nodes = field.sweeps.nodes();
             for (const std::uint32_t block : nodes.active())
@@ -145,7 +146,7 @@ template <class Grid, class... Policies> class solver {
                     const double mass = C::moves ? there : 1 / there;
                     if (mass < lightest && !std::binary_search(held.begin(), held.end(), place)) lightest = mass;
                 }
-        });
+        }
         return lightest;
     }
     /// What `integrate` warned of, each once.
@@ -270,7 +271,7 @@ template <class Grid, class... Policies> class solver {
             if constexpr (C::bands || C::exact) weights_.renew();
             if (ahead_.made) return;  // nobody left its cell
             std::string failure;
-            std::apply([&](auto&... b) { (deliver(b, detail::to_double(dt), failure), ...); }, all);
+            detail::each_of(all, [&](auto& b) { deliver(b, detail::to_double(dt), failure); });
             if (!failure.empty()) throw error(failure);
         }
     }
@@ -319,30 +320,28 @@ template <class Grid, class... Policies> class solver {
         long used = 0;
     } ahead_;
 
-    template <detail::role R, class Default> static auto pick(const std::tuple<Policies...>& all) {
-        return C::template by_role<R, Default>::of(all);
-    }
-    solver(const Grid& grid, const std::tuple<Policies...>& all, int)
-        : shape_(pick<detail::role::shape, quadratic_spline>(all)),
-          transfer_(pick<detail::role::transfer, flip>(all)),
-          load_(pick<detail::role::load, unloaded>(all)),
-          run_(pick<detail::role::execution, serial>(all)),
+    template <detail::role R, class Default> using by_role = typename C::template by_role<R, Default>;
+    solver(const Grid& grid, const detail::by_address<Policies...>& all)
+        : shape_(by_role<detail::role::shape, quadratic_spline>::of(all)),
+          transfer_(by_role<detail::role::transfer, flip>::of(all)),
+          load_(by_role<detail::role::load, unloaded>::of(all)),
+          run_(by_role<detail::role::execution, serial>::of(all)),
           lattice_(grid),
-          boundary_(pick<detail::role::boundary, unbounded>(all)),
+          boundary_(by_role<detail::role::boundary, unbounded>::of(all)),
           method_(picked_method(all)),
           field_(*this),
-          contact_(pick<detail::role::contact, one_velocity>(all), lattice_) {
+          contact_(by_role<detail::role::contact, one_velocity>::of(all), lattice_) {
         if ((held_type::any || C::own_velocities || C::exact) && detail::any_axis_wraps(lattice_))
             throw error(
                 "solver: a periodic grid goes with bodies that nothing holds, in one velocity field, and no exact mass "
                 "matrix; leave the conditions or the contact out, or do not wrap the grid");
     }
 
-    static auto picked_method(const std::tuple<Policies...>& all) {
+    static auto picked_method(const detail::by_address<Policies...>& all) {
         if constexpr (C::exact)
             return typename C::method{};
         else
-            return pick<detail::role::boundary_method, boundary_method::incremental>(all);
+            return by_role<detail::role::boundary_method, boundary_method::incremental>::of(all);
     }
     velocity_field& field_of(std::size_t body) {
         if constexpr (C::own_velocities)
@@ -350,16 +349,30 @@ template <class Grid, class... Policies> class solver {
         else
             return field_;
     }
-    template <class F> void each_field(F f) {
-        f(field_);
-        if constexpr (C::own_velocities)
-            for (auto& other : further_) f(*other);
-    }
-    template <class F> void each_field(F f) const {
-        f(field_);
-        if constexpr (C::own_velocities)
-            for (const auto& other : further_) f(std::as_const(*other));
-    }
+    const velocity_field& field_of(std::size_t body) const { return const_cast<solver*>(this)->field_of(body); }
+    /// All velocity fields, for loops: a range over what field_of gives.
+    template <class Solver> struct field_range {
+        struct iterator {
+            Solver* of;
+            std::size_t k;
+            auto& operator*() const { return of->field_of(k); }
+            iterator& operator++() {
+                ++k;
+                return *this;
+            }
+            bool operator!=(const iterator& other) const { return k != other.k; }
+        };
+        Solver* of;
+        iterator begin() const { return {of, 0}; }
+        iterator end() const {
+            if constexpr (C::own_velocities)
+                return {of, of->further_.size() + 1};
+            else
+                return {of, 1};
+        }
+    };
+    field_range<solver> velocity_fields() { return {this}; }
+    field_range<const solver> velocity_fields() const { return {this}; }
 
     /// Were the step's sums over particles made by the step before, and are they still those of the body?
     template <class... Body> bool sums_are_made(std::tuple<Body&...>& all) {
@@ -384,7 +397,7 @@ template <class Grid, class... Policies> class solver {
     }
     /// What does not change from step to step: which nodes are in use and, for held particles, the nodes' masses.
     template <class... Body> void prepare(std::tuple<Body&...>& all) {
-        const auto each = [&](auto f) { std::apply([&](auto&... b) { (f(b), ...); }, all); };
+        const auto each = [&](auto&& f) { detail::each_of(all, f); };
         std::array<std::uint64_t, 2 * sizeof...(Body)> now;
         std::size_t k = 0;
         each([&](auto& b) { now[k++] = b.contents().number(); });
@@ -421,11 +434,11 @@ template <class Grid, class... Policies> class solver {
                 field_of(body++).sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(
                     b, detail::mass_to_nodes{});
             });
-            each_field([&](auto& field) {
+            for (auto& field : velocity_fields()) {
                 detail::wrap(lattice_, field.sweeps.nodes(), fields<field::mass>{});
                 field.held.take_masses(field.sweeps.nodes());
                 field.sweeps.each_node(detail::invert_mass::list{}, detail::invert_mass{});
-            });
+            }
         }
         weights_.renew();
         // Last: what threw is looked at again.
