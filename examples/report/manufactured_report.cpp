@@ -51,11 +51,13 @@ report_scene manufactured_report_scene(int dim) {
     all.other_is = "displacement";
     if (dim == 2) {
         add_compiled(all.quick, all, {2, 4}, {2}, {0.2, 0.5}, {8, 16, 32, 48});
-        add_compiled(all.full, all, {1, 2, 4, 8}, {2, 3}, {0.05, 0.1, 0.2, 0.5}, {8, 16, 32, 64, 128});
+        add_compiled(all.full, all, {1, 2, 4, 8}, {2, 3}, {0.05, 0.1, 0.2, 0.5}, {8, 16, 32, 64});
+        add_compiled(all.full, all, {1, 2, 4, 8}, {2}, {0.2, 0.5}, {128});
         add_admpm(all, {"moving"}, 2, {8, 16, 32}, {0.1, 0.01});
     } else {
         add_compiled(all.quick, all, {2}, {2}, {0.2, 0.5}, {6, 8, 12, 16});
-        add_compiled(all.full, all, {1, 2, 4}, {2, 3}, {0.2, 0.5}, {6, 12, 24, 48});
+        add_compiled(all.full, all, {1, 2, 4}, {2, 3}, {0.2, 0.5}, {6, 12, 24});
+        add_compiled(all.full, all, {1, 2, 4}, {2}, {0.2, 0.5}, {36});
         add_admpm(all, {"moving"}, 2, {6, 8, 12}, {0.1, 0.01});
     }
     all.run = [dim](const configuration& what) { return run_one(dim, what); };
