@@ -1,6 +1,8 @@
 // Critical Courant numbers by composition, from the exact Jacobian of a step: the table that `integrate` uses.
 //     stability --header include/tamis/solver/critical_table.hpp     writes it (a minute)
 //     stability [--csv FILE]     prints it for 2 particles per cell; all in FILE
+//     stability --dimensions     the numbers inside endless bodies, and of free squares and cubes with their edges and
+//                                corners (some minutes)
 #include <tamis/observe/atomic_file.hpp>
 #include <tamis/shape/gimp.hpp>
 #include <tamis/stability/critical.hpp>
@@ -126,6 +128,53 @@ template <int Dim> void dimension() {
     }
 }
 
+/// The smallest number of a free block, 2 particles per cell and axis, over places of its corner in a cell.
+template <int Dim, class... Policies>
+double of_free_block(int cells, double poisson, const std::vector<double>& offsets, const Policies&... policies) {
+    constexpr int per_cell = 2;
+    const int side = cells * per_cell, count = detail::power(side, Dim), kinds = static_cast<int>(offsets.size()),
+              all = detail::power(kinds, Dim);
+    double critical = stability::most_courant;
+    for (int n = 0; n < all; ++n) {
+        std::array<int, static_cast<std::size_t>(Dim)> kind{};
+        for (std::size_t d = 0, left = static_cast<std::size_t>(n); d < Dim; ++d, left /= offsets.size())
+            kind[d] = static_cast<int>(left % offsets.size());
+        // Axes are alike.
+        if (!std::is_sorted(kind.begin(), kind.end())) continue;
+        std::vector<point<Dim, double>> places;
+        for (int p = 0; p < count; ++p) {
+            point<Dim, double> at;
+            for (int d = 0, left = p; d < Dim; ++d, left /= side)
+                at[d] = 4 + offsets[static_cast<std::size_t>(kind[static_cast<std::size_t>(d)])] +
+                        (left % side + 0.5) / per_cell;
+            places.push_back(at);
+        }
+        using matrix = stability::step_matrix<Eigen::MatrixXd>;
+        std::array<Eigen::MatrixXd, matrix::samples> at;
+        for (int s = 0; s < matrix::samples; ++s)
+            at[static_cast<std::size_t>(s)] = stability::responses<Dim>(places, 1. / per_cell, cells + 8, poisson, 0,
+                                                                        count, matrix::sample(s), policies...);
+        const matrix step(at);
+        critical = stability::first_unstable(critical, critical / 8, [&](double c) {
+            return stability::spectral_radius_of(step, c) <= 1 + stability::growth;
+        });
+    }
+    return critical;
+}
+/// Edges and corners of free bodies beside the ends of a bar; by the speed of P waves.
+template <class... Policies> void free_blocks(const char* name, const Policies&... policies) {
+    const std::vector<double> offsets{0.05, 0.2, 0.45, 0.55, 0.7, 0.8};
+    const double bar = of_free_block<1>(4, 0, offsets, policies...);
+    std::printf("%s: free bar of 4 cells %.3f\n", name, bar);
+    for (const double poisson : {0., 0.3, 0.499}) {
+        std::printf("    Poisson's ratio %.3f: square of 1 cell %.3f, of 2 cells %.3f, cube of 1 cell %.3f\n", poisson,
+                    of_free_block<2>(1, poisson, offsets, policies...),
+                    of_free_block<2>(2, poisson, offsets, policies...),
+                    of_free_block<3>(1, poisson, {0.05, 0.2, 0.7}, policies...));
+        std::fflush(stdout);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -149,6 +198,10 @@ int main(int argc, char** argv) {
             dimension<1>();
             dimension<2>();
             dimension<3>();
+            free_blocks("quadratic, FLIP, USL-", quadratic_spline{}, flip{}, usl_minus{});
+            free_blocks("quadratic, FMPM(4), USL-", quadratic_spline{}, fmpm<dynamic>{4}, usl_minus{});
+            free_blocks("uGIMP, FLIP, USL-", ugimp{2}, flip{}, usl_minus{});
+            free_blocks("linear, FLIP, USF", linear{}, flip{}, usf{});
             return 0;
         }
         std::optional<atomic_file> header_file, csv_file;

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     app.add_option("--shape", o.shape, "Shape functions: linear or quadratic");
     app.add_option("--update", o.update, "Particle update: flip or fmpm");
     app.add_option("--order", o.order, "Order k of fmpm")->check(CLI::Range(1, 1000));
+    app.add_option("--stress", o.stress, "Stress order: usl-, or euler (ADMPM's; linear functions, flip)");
     app.add_option("--particles", o.particles, "moving or held");
     app.add_option("--courant", set.courant, "Courant number of the faster bar")->check(CLI::Range(1e-6, 1.));
     app.add_option("--summary", o.summary, "Write all numbers to this file, JSON");

@@ -1,4 +1,5 @@
 #include "report_scene.hpp"
+#include "run_by_names.hpp"
 
 #include "scenes/reflection.hpp"
 #include "scenes/shock.hpp"
@@ -14,18 +15,10 @@ constexpr double amplitude = 1e-5;
 
 outcome run_one(const bar_scene& scene, const configuration& what) {
     bar_options o(scene);
-    o.cells = what.cells;
-    o.per_cell = what.per_cell;
-    o.shape = what.shape;
-    o.update = what.update;
-    o.order = what.order > 0 ? what.order : 1;
-    o.stress = what.stress;
-    o.boundary = what.boundary;
-    o.particles = what.particles;
-    o.courant = what.courant;
+    give(o, what);
     o.amplitude = amplitude;
     const bar_result r = run_bar(scene, o);
-    outcome found;
+    outcome found = cost_of(r, r.particles.size());
     if (scene.fronts) {
         // The mean of |error|: that of the square is ruled by the few particles beside a jump.
         const auto exact = scene.exact(o.amplitude);
@@ -40,15 +33,10 @@ outcome run_one(const bar_scene& scene, const configuration& what) {
         found.error = (found.error_velocity + found.error_other) / 2;
     } else {
         const bar_errors e = errors_of(scene, o, r);
-        found.error_velocity = e.velocity_l2;
-        found.error_other = e.strain_l2;
-        found.error = std::sqrt((e.velocity_l2 * e.velocity_l2 + e.strain_l2 * e.strain_l2) / 2);
+        put_errors(found, e.velocity_l2, e.strain_l2);
     }
     const double energy = scene.exact(o.amplitude).energy(o.time);
     found.energy_error = (r.energy.back().total() - energy) / energy;
-    found.seconds = r.wall_seconds;
-    found.steps = r.steps;
-    found.particle_count = r.particles.size();
     return found;
 }
 
@@ -75,10 +63,7 @@ report_scene base(const bar_scene& scene, const std::string& title, const std::v
     const sweep other_conditions{{"linear"}, {{"fmpm", 2}}, {"usl-"}, {"moving", "held"},
                                  {2},        {0.1},         cells,    {"velocity", "lumped"}};
     add(all.full, scene.name, other_conditions);
-    // ADMPM's steps are much smaller still, for its energy grows with every one.
-    for (auto* list : {&all.quick, &all.full})
-        add(*list, scene.name,
-            {{"linear"}, {{"flip", 0}}, {"euler"}, {"moving", "held"}, {2}, {0.1, 0.01, 0.001}, cells});
+    add_admpm(all, {"moving", "held"}, 2, cells);
     all.run = [scene](const configuration& what) { return run_one(scene, what); };
     all.shown = [](const configuration& c) {
         const bool usual = c.particles == "moving" && c.per_cell == 2 && c.boundary == "incremental";

@@ -1,8 +1,7 @@
 #include "report_scene.hpp"
+#include "run_by_names.hpp"
 
 #include "support/bi_material.hpp"
-
-#include <cmath>
 
 namespace {
 
@@ -10,22 +9,11 @@ outcome run_one(const configuration& what) {
     bi_material_options o;
     o.set.young = o.set.density = 10;
     o.set.amplitude = 1e-6;
-    o.set.cells = what.cells;
-    o.set.per_cell = what.per_cell;
-    o.shape = what.shape;
-    o.update = what.update;
-    o.order = what.order > 0 ? what.order : 1;
-    o.particles = what.particles;
-    o.set.courant = what.courant;
+    give(o, what);
     const bi_material_result r = run_bi_material(o);
-    outcome found;
-    found.error_velocity = r.velocity_l2;
-    found.error_other = r.strain_l2;
-    found.error = std::sqrt((r.velocity_l2 * r.velocity_l2 + r.strain_l2 * r.strain_l2) / 2);
+    outcome found = cost_of(r, r.particle_count);
+    put_errors(found, r.velocity_l2, r.strain_l2);
     found.energy_error = r.energy_gain;
-    found.seconds = r.wall_seconds;
-    found.steps = r.steps;
-    found.particle_count = r.particle_count;
     return found;
 }
 
@@ -58,9 +46,11 @@ report_scene bi_material_report_scene() {
          {1, 2, 4},
          {0.05, 0.1, 0.2, 0.5},
          {50, 100, 200, 400, 800}});
+    add_admpm(all, {"moving", "held"}, 2, cells);
     all.run = run_one;
     all.shown = [](const configuration& c) {
-        return c.particles == "moving" && c.per_cell == 2 && c.courant == 0.2 && c.order != 1 && c.order != 8;
+        return c.particles == "moving" && c.per_cell == 2 && c.order != 1 && c.order != 8 &&
+               (is_admpm(c) ? c.courant == 0.01 : c.courant == 0.2);
     };
     return all;
 }

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <unistd.h>
 
@@ -19,7 +20,7 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Ctrl-C lets the run at hand and its repeats end; a second one ends the program at once.
+/// Ctrl-C lets the run at hand end; a second one ends the program at once.
 class interrupts {
   public:
     interrupts() {
@@ -104,16 +105,48 @@ int report_errors(const error_options& o) {
     return 130;
 }
 
+/// How long the runs that are left will take: by the time that the same scene's runs took for their work; of scenes not
+/// begun by the mean of all.
+class remaining_time {
+  public:
+    void add(const std::string& scene, double work) { scenes_[scene].left += work; }
+    void took(const std::string& scene, double work, double seconds) {
+        for (auto* one : {&scenes_[scene], &all_}) {
+            one->done += work;
+            one->seconds += seconds;
+        }
+    }
+    /// Negative: nothing is known yet.
+    double seconds() const {
+        if (!(all_.done > 0)) return -1;
+        double sum = 0;
+        for (const auto& [name, one] : scenes_) {
+            const part& rate = one.done > 0 ? one : all_;
+            sum += one.left * rate.seconds / rate.done;
+        }
+        return sum;
+    }
+
+  private:
+    struct part {
+        double left = 0, done = 0, seconds = 0;
+    };
+    std::map<std::string, part> scenes_;
+    part all_;
+};
+
 }  // namespace
 
-measurement measure(const report_scene& scene, const configuration& what) {
+measurement measure(const report_scene& scene, const configuration& what, const std::atomic<bool>& stop) {
     measurement all;
     all.what = what;
     std::vector<double> seconds;
     double total = 0;
     try {
-        // Three times, runs of seconds twice, and short ones until they add up to something that a clock can tell.
-        while (seconds.size() < 2 || (seconds.size() < 3 && total < 2) || (total < 0.01 && seconds.size() < 5)) {
+        // Three times, runs of seconds twice, and short ones until they add up to something that a clock can tell; once
+        // if it is to stop, for the runs of the finest grids take minutes.
+        while (seconds.empty() || (!stop && (seconds.size() < 2 || (seconds.size() < 3 && total < 2) ||
+                                             (total < 0.01 && seconds.size() < 5)))) {
             all.found = scene.run(what);
             seconds.push_back(all.found.seconds);
             total += all.found.seconds;
@@ -138,25 +171,27 @@ bool run_all(const std::vector<report_scene>& scenes, bool full, results_file& r
     };
     std::vector<job> jobs;
     std::size_t all = 0;
-    // What is left is told by the work that runs of the same scene took; of scenes not begun by the mean of all.
-    double work_left = 0, work_done = 0;
+    remaining_time left;
     for (const report_scene& scene : scenes)
         for (const configuration& what : full ? scene.full : scene.quick) {
             ++all;
             if (results.has(what)) continue;
             jobs.push_back({&scene, &what});
-            work_left += work_of(scene, what);
+            left.add(scene.name, work_of(scene, what));
         }
+    // Of a resumed report the runs of before tell how long others take.
+    for (const report_scene& scene : scenes)
+        for (const measurement& run : results.runs())
+            if (run.what.scene == scene.name && run.has_answer())
+                left.took(scene.name, work_of(scene, run.what), run.found.seconds * run.repeats);
     std::size_t done = all - jobs.size();
-    const double begun = now();
     for (const job& next : jobs) {
         if (stop) break;
-        tell(done, all, work_done > 0 ? (now() - begun) / work_done * work_left : -1, *next.what);
-        const measurement run = measure(*next.scene, *next.what);
-        results.add(run);
-        const double work = work_of(*next.scene, *next.what);
-        work_left -= work;
-        work_done += work;
+        tell(done, all, left.seconds(), *next.what);
+        const double begun = now();
+        results.add(measure(*next.scene, *next.what, stop));
+        left.took(next.scene->name, work_of(*next.scene, *next.what), now() - begun);
+        left.add(next.scene->name, -work_of(*next.scene, *next.what));
         ++done;
     }
     results.save();

@@ -7,8 +7,9 @@
 #include <atomic>
 #include <functional>
 
-/// Measures a configuration: its errors, and run times until there are enough of them. A run that fails is told as one.
-measurement measure(const report_scene& scene, const configuration& what);
+/// Measures a configuration: its errors, and run times until there are enough of them, or one where `stop` is true. A
+/// run that fails is told as one.
+measurement measure(const report_scene& scene, const configuration& what, const std::atomic<bool>& stop);
 
 /// Runs what is not in the file yet, the quick lists or the full ones. Stops early when `stop` is true. `tell(done,
 /// all, seconds_left, what)` is called before each run. True if all runs are done.

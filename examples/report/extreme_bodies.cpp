@@ -4,8 +4,8 @@
 
 #include "shock_tube_run.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace {
@@ -13,13 +13,13 @@ namespace {
 using namespace tamis;
 using namespace tamis::symbols;
 
-/// A square of an almost incompressible solid between held walls, disturbed smoothly.
-extreme_outcome nearly_incompressible(double nu) {
+/// A square of an elastic solid between held walls, in which a vortex is started: a motion without divergence.
+template <class Order> extreme_outcome vortex(double nu, int cells, const Order& order, const std::string& order_name,
+                                              const std::string& why) {
     const linear_elastic law{.young = 1, .poisson = nu, .density = 1};
     const fixed walls{[](const auto& at) { return at[0] <= 0 || at[0] >= 1 || at[1] <= 0 || at[1] >= 1; }};
-    solver mpm{uniform_grid{{0., 0.}, {1., 1.}, 0.125}, quadratic_spline{}, flip{}, usl_minus{}, walls};
+    solver mpm{uniform_grid{{0., 0.}, {1., 1.}, 1. / cells}, quadratic_spline{}, flip{}, order, walls};
     auto square = mpm.make_body(law, everywhere, per_cell{2});
-    // Without divergence: a vortex.
     set_velocity_of(square, [](const auto& at) {
         const double px = std::numbers::pi * at[0], py = std::numbers::pi * at[1];
         return point<2, double>(1e-3 * std::pow(std::sin(px), 2) * std::sin(2 * py),
@@ -27,20 +27,19 @@ extreme_outcome nearly_incompressible(double nu) {
     });
     const auto energy = [&] { return kinetic_energy(square) + elastic_energy(square); };
     const double before = energy();
-    const long steps = integrate(mpm, bodies(square), interval{0, 2}, courant{0.4}, [](const warning&) {});
+    const long steps = integrate(mpm, bodies(square), interval{0, 2}, courant{0.4});
     const double change = energy() / before - 1;
     double largest = 0;
     for (const auto p : std::as_const(square)) largest = std::max(largest, p[v].norm());
     return {
-        "Poisson's ratio " + std::to_string(nu).substr(0, 6) + ", 2D",
-        "finite; energy does not grow; no speed above twice the start's",
+        "Poisson's ratio " + std::to_string(nu).substr(0, 6) + ", 2D, FLIP, " + order_name + ", " +
+            std::to_string(cells) + " cells",
+        "energy within 1 %; no speed above twice the start's",
         "energy " + short_number(change) + ", speed " + short_number(largest) + ", " + std::to_string(steps) + " steps",
-        change < 0.01 && largest < 2e-3,
-        "P waves are " + short_number(law.wave_speed(2)) +
-            " m/s and set the step. The grid resolves a vortex of 8 cells badly, and locks: it loses energy."};
+        std::abs(change) < 0.01 && largest < 2e-3, why};
 }
 
-extreme_outcome spinning(const std::string& scheme_name, const auto& scheme, double share_kept) {
+extreme_outcome spinning(const std::string& scheme_name, const auto& scheme, const std::string& why) {
     const neo_hookean law{.young = 1, .poisson = 0.3, .density = 1};
     solver mpm{uniform_grid{{0., 0.}, {16., 16.}, 1.}, quadratic_spline{}, scheme, usavg_plus{}};
     auto square = mpm.make_body(
@@ -61,13 +60,8 @@ extreme_outcome spinning(const std::string& scheme_name, const auto& scheme, dou
         failure = e.what();
     }
     const double kept = failure.empty() ? spin() / before : 0;
-    return {
-        "a square spins for 10 turns, " + scheme_name,
-        "no more than " + short_number(100 * (1 - share_kept)) + " % of the angular momentum lost",
-        failure.empty() ? short_number(kept) + " of it is left" : failure, kept > share_kept && kept < 1.01,
-        "Forces act by the lumped mass, whose moment at the edge is another than theirs, and updates by S v lose a "
-        "share of the rotation in every step (docs/open-questions.md, Rotation). There is no update here that keeps "
-        "angular momentum (APIC does)."};
+    return {"a square spins for 10 turns, " + scheme_name, "no more than 5 % of the angular momentum lost",
+            failure.empty() ? short_number(kept) + " of it is left" : failure, kept > 0.95 && kept < 1.01, why};
 }
 
 extreme_outcome strong_shock() {
@@ -110,21 +104,43 @@ extreme_outcome near_vacuum() {
 }  // namespace
 
 std::vector<extreme_case> extreme_bodies() {
-    return {{"nu", true, [] { return nearly_incompressible(0.4999); }},
-            {"spin FLIP", false, [] { return spinning("FLIP", flip{}, 0.95); }},
-            {"spin FMPM(8)", false, [] { return spinning("FMPM(8)", fmpm<dynamic>{8}, 0.95); }},
+    const std::string loss =
+        "FLIP with USL- takes the share A (w dt)^2 of every wave's energy in a step (docs/stability.md, Energy over "
+        "many "
+        "steps): of this vortex at Poisson's ratio 0.3, of the P waves that come with it on so coarse a grid at "
+        "0.4999. "
+        "Locking costs no energy: USAVG+ keeps it.";
+    const std::string kept =
+        "Strained by what particles have, every wave keeps its energy. The grid still locks: at 0.4999 the vortex "
+        "stands "
+        "after 0.345 s with 8 cells and 0.369 s with 16 (at 0.49 after 0.446 and 0.392 s).";
+    const std::string no_update_keeps_it =
+        " No update here keeps angular momentum (APIC does); docs/open-questions.md, Rotation.";
+    return {{"nu 0.4999, USL-", true, [=] { return vortex(0.4999, 8, usl_minus{}, "USL-", loss); }},
+            {"nu 0.3, USL-", true, [=] { return vortex(0.3, 8, usl_minus{}, "USL-", loss); }},
+            {"nu 0.4999, USAVG+", true, [=] { return vortex(0.4999, 8, usavg_plus{}, "USAVG+", kept); }},
+            {"nu 0.3, USAVG+", true, [=] { return vortex(0.3, 8, usavg_plus{}, "USAVG+", kept); }},
+            {"nu 0.4999, fine", false,
+             [] {
+                 return vortex(0.4999, 32, usl_minus{}, "USL-",
+                               "Finer grids have a smaller A, and the vortex brings less of the P waves.");
+             }},
+            {"spin FLIP", true,
+             [=] {
+                 return spinning("FLIP", flip{},
+                                 "Forces act by the lumped mass, whose moment at the edge is another than theirs. That "
+                                 "costs 10 % in the first turn, at Courant numbers of 0.4 and 0.1 alike; 1.6 % with 16 "
+                                 "cells and 0.3 % with 32." +
+                                     no_update_keeps_it);
+             }},
+            {"spin FMPM(8)", false,
+             [=] {
+                 return spinning("FMPM(8)", fmpm<dynamic>{8},
+                                 "Updates by S v lose a share of the rotation at the edge in every step, smaller steps "
+                                 "more of it: what is left after the first turn is 0.77 at a Courant number of 0.3 and "
+                                 "0.48 at 0.1." +
+                                     no_update_keeps_it);
+             }},
             {"strong shock", true, strong_shock},
             {"near vacuum", true, near_vacuum}};
-}
-
-std::vector<extreme_case> extreme_cases() {
-    std::vector<extreme_case> all = extreme_bars();
-    for (auto& one : extreme_bodies()) all.push_back(std::move(one));
-    return all;
-}
-
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
 }

@@ -18,8 +18,11 @@ struct extreme_case {
     std::function<extreme_outcome()> run;
 };
 
-/// Of bars and single particles; of bodies in two and three dimensions, and gases.
+/// Of two bars and the step's limit; of the standing wave; of particles at nodes and at free ends; of bodies in two
+/// dimensions, and gases.
 std::vector<extreme_case> extreme_bars();
+std::vector<extreme_case> extreme_waves();
+std::vector<extreme_case> extreme_ends();
 std::vector<extreme_case> extreme_bodies();
 /// All of them, in the report's order.
 std::vector<extreme_case> extreme_cases();

@@ -21,6 +21,12 @@ void add(std::vector<configuration>& to, const std::string& scene, const sweep& 
                                                   per_cell, courant});
 }
 
+void add_admpm(report_scene& scene, const std::vector<std::string>& particles, int per_cell,
+               const std::vector<int>& cells, const std::vector<double>& courants) {
+    for (auto* list : {&scene.quick, &scene.full})
+        add(*list, scene.name, {{"linear"}, {{"flip", 0}}, {"euler"}, particles, {per_cell}, courants, cells});
+}
+
 std::vector<report_scene> report_scenes() {
     std::vector<report_scene> all = bar_report_scenes();
     all.push_back(bi_material_report_scene());

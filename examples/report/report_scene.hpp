@@ -35,6 +35,9 @@ struct sweep {
     std::vector<std::string> boundaries = {"incremental"};
 };
 void add(std::vector<configuration>& to, const std::string& scene, const sweep& all);
+/// ADMPM's own way to both lists. Its steps are much smaller than others', for its energy grows with every one.
+void add_admpm(report_scene& scene, const std::vector<std::string>& particles, int per_cell,
+               const std::vector<int>& cells, const std::vector<double>& courants = {0.1, 0.01, 0.001});
 
 /// Each in a file of its own.
 std::vector<report_scene> bar_report_scenes();

@@ -208,6 +208,10 @@ page stability_page(const std::vector<map_row>& map, const std::vector<run_check
         {"Bodies that flow fast through their cells, large strains, viscosity and contact have limits of their own.",
          "In two and three dimensions waves along an axis decide, at the numbers of one dimension; checked wave by "
          "wave for linear and quadratic functions, with one exception (one particle per cell in 3D: 0.816 of it).",
+         "Corners of free bodies in two and three dimensions have smaller numbers than the ends of a bar, by up to a "
+         "fifth "
+         "for squares of two cells and more than a quarter for cubes, the more the less compressible the body is "
+         "(docs/stability.md).",
          "Own shapes and updates, explicit Euler, and exact mass matrices are not in the table: their limit is 1, "
          "which proves nothing."});
     return report;

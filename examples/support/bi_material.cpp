@@ -6,11 +6,14 @@
 
 namespace {
 
-template <class Shape, class Scheme> two_bars_result with_motion(const bi_material_options& o, const Scheme& scheme) {
-    if (o.particles == "held") return run_two_bars(o.set, Shape{}, scheme, tamis::usl_minus{}, tamis::held{});
-    return run_two_bars(o.set, Shape{}, scheme, tamis::usl_minus{}, tamis::moving{});
+template <class Shape, class Order = tamis::usl_minus, class Scheme>
+two_bars_result with_motion(const bi_material_options& o, const Scheme& scheme) {
+    if (o.particles == "held") return run_two_bars(o.set, Shape{}, scheme, Order{}, tamis::held{});
+    return run_two_bars(o.set, Shape{}, scheme, Order{}, tamis::moving{});
 }
 template <class Shape> two_bars_result with_update(const bi_material_options& o) {
+    if constexpr (std::same_as<Shape, tamis::linear>)
+        if (o.stress == "euler") return with_motion<Shape, tamis::euler>(o, tamis::flip{});
     if (o.update == "flip") return with_motion<Shape>(o, tamis::flip{});
     return with_motion<Shape>(o, tamis::fmpm<tamis::dynamic>{o.order});
 }
@@ -20,6 +23,10 @@ template <class Shape> two_bars_result with_update(const bi_material_options& o)
 bi_material_result run_bi_material(const bi_material_options& o) {
     require_name("shape", o.shape, {"linear", "quadratic"});
     require_name("update", o.update, {"flip", "fmpm"});
+    if (o.shape == "linear" && o.update == "flip")
+        require_name("stress", o.stress, {"usl-", "euler"});
+    else
+        require_name("stress (but for linear functions with flip)", o.stress, {"usl-"});
     require_name("particles", o.particles, {"moving", "held"});
     if (!(o.set.speed() > 0.2 && o.set.speed() < 1.6))
         throw unusable_option("the right bar's wave speed is " + std::to_string(o.set.speed()) +

@@ -6,8 +6,8 @@
 /// What can be chosen of the two bars besides their materials.
 struct bi_material_options {
     two_bars set;
-    std::string shape = "quadratic", update = "flip", particles = "moving";
-    static constexpr const char* stress = "usl-";
+    /// "euler", ADMPM's order, goes with linear functions and flip.
+    std::string shape = "quadratic", update = "flip", stress = "usl-", particles = "moving";
     int order = 2;        // terms of FMPM
     std::string summary;  // file of all numbers; empty: none
     bool has_order() const { return update == "fmpm"; }

@@ -64,7 +64,10 @@ shock_tube_result run_shock_tube(const shock_tube_options& o) {
     require_name("shape", o.shape, {"linear", "quadratic", "cubic"});
     if (o.shape == "linear") {
         require_name("update (linear)", o.update, {"pic", "flip", "blend", "fmpm"});
-        require_name("stress (linear)", o.stress, {"usl-", "usavg-"});
+        if (o.update == "fmpm")
+            require_name("stress (linear, fmpm)", o.stress, {"usl-", "usavg-"});
+        else
+            require_name("stress (linear)", o.stress, {"usl-", "usavg-", "euler"});
     } else {
         require_name("update", o.update, {"pic", "flip", "blend", "xpic", "fmpm"});
         if (o.shape == "cubic")

@@ -72,8 +72,11 @@ template <class Shape> tube_result run_with(const shock_tube_options& o) {
         if constexpr (std::same_as<Shape, tamis::quadratic_spline>) {
             return choose::stress_order(o.stress, run_order);
         } else {
-            if constexpr (!std::same_as<Shape, tamis::linear>)
+            if constexpr (!std::same_as<Shape, tamis::linear>) {
                 if (o.stress == "usavg+") return run_order(tamis::usavg_plus{});
+            } else if constexpr (std::same_as<std::remove_cvref_t<decltype(update)>, tamis::blend>) {
+                if (o.stress == "euler") return run_order(tamis::euler{});
+            }
             return o.stress == "usl-" ? run_order(tamis::usl_minus{}) : run_order(tamis::usavg_minus{});
         }
     };

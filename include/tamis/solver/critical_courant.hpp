@@ -33,6 +33,15 @@ namespace detail {
 /// near its corner, waves along the diagonal of a cube do, by the root of 2/3 (docs/stability.md).
 inline double critical_by_dimension(int dim, double per_cell) { return dim == 3 && per_cell < 1.5 ? 0.816 : 1; }
 
+/// What corners of free bodies have of the number of a bar's end, at least: a pressure there pushes light nodes along
+/// all axes at once, and dim lambda + 2 mu answers in place of the lambda + 2 mu of P waves (docs/stability.md). A law
+/// without a Poisson's ratio may have no shear modulus.
+template <int Dim, class Law> double critical_at_corner(const Law& law) {
+    double poisson = 0.5;
+    if constexpr (requires { law.poisson; }) poisson = static_cast<double>(law.poisson);
+    return Dim == 1 ? 1 : std::sqrt(std::min(1., (1 - poisson) / (1 + (Dim - 2) * poisson)));
+}
+
 /// Row of a shape's first composition, -1 if the table does not know it.
 template <class Shape> inline constexpr int critical_shape = -1;
 template <> inline constexpr int critical_shape<linear> = 0;

@@ -143,8 +143,10 @@ step_limit limit_of(Solver& mpm, const std::tuple<Body&...>& all, const std::opt
         const double cell = std::pow(to_double(mpm.grid().spacing()), D);
         std::optional<critical_courant> numbers;
         double lightest = std::numeric_limits<double>::infinity();  // mass of an inner node of the lightest body
+        double corner = 1;
         bool known = true;
         const auto one = [&](const auto& body) {
+            corner = std::min(corner, critical_at_corner<D>(body.law));
             double most = 0, least = std::numeric_limits<double>::infinity();
             for (const auto p : body) {
                 const double volume = to_double(p[symbols::V]);
@@ -167,7 +169,7 @@ step_limit limit_of(Solver& mpm, const std::tuple<Body&...>& all, const std::opt
         limit.share = mpm.lightest_free_node(all) / lightest;
         // Corners of a box have 2^-D.
         if (limit.share < 0.5 * std::pow(0.5, D))
-            limit.free_end = std::min(limit.inner, numbers->free_end(limit.share));
+            limit.free_end = std::min(limit.inner, corner * numbers->free_end(limit.share));
         else
             limit.share = 1;
     }
