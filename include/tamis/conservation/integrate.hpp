@@ -10,30 +10,20 @@ template <class G, class L, class... P, class... Observer>
 long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, fixed_steps steps, Observer&&... observers) {
     using real = typename G::real;
     detail::check_span(span);
-    if (steps.count < 1)
-        throw error(detail::sentence("integrate: ", steps.count, " steps; give fixed_steps{1} or more"));
-    const double dt = (span.end - span.begin) / static_cast<double>(steps.count);
+    detail::check_count(steps);
     const double h = detail::to_double(scheme.grid().spacing());
     scheme.start_at(span.begin);
-    progress_state state{0, steps.count, span.begin, span};
-    (detail::tell(observers, state), ...);
-    for (long k = 1; k <= steps.count; ++k) {
-        if ((k - 1) % 100 == 0) {
-            scheme.check_finite(dt);
-            const double number = scheme.wave_speed() * dt / h, limit = steps.limit.value_or(1);
-            if (!(number <= limit))
-                throw error(detail::sentence("step ", k - 1, ", t = ", state.time, ": the Courant number c dt/h is ",
-                                             number, " with dt = ", dt, ", above the limit of ", limit,
-                                             "; take steps of at most ", dt * limit / number));
-        }
-        const double end = k == steps.count ? span.end : span.begin + dt * static_cast<double>(k);
-        scheme.step(real(dt), end);
-        state.step = k;
-        state.time = end;
-        (detail::tell(observers, state), ...);
-    }
-    scheme.check_finite(dt);
-    return steps.count;
+    const auto look = [&](long done, double t, double dt) {
+        scheme.check_finite(dt);
+        if (done == steps.count) return;
+        const double number = scheme.wave_speed() * dt / h, limit = steps.limit.value_or(1);
+        if (!(number <= limit))
+            throw error(detail::sentence("step ", done, ", t = ", t, ": the Courant number c dt/h is ", number,
+                                         " with dt = ", dt, ", above the limit of ", limit, "; take steps of at most ",
+                                         dt * limit / number));
+    };
+    const auto step = [&](double dt, double end) { scheme.step(real(dt), end); };
+    return detail::in_equal_steps(span, steps.count, 100, look, step, observers...);
 }
 
 /// The same with equal steps of the Courant number that the start has, at most.

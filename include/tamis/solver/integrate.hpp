@@ -119,6 +119,9 @@ inline void check_span(const interval& span) {
         throw error(sentence("integrate: the interval is ", span.begin, " to ", span.end,
                              " s; give a beginning and a later, finite end"));
 }
+inline void check_count(const fixed_steps& steps) {
+    if (steps.count < 1) throw error(sentence("integrate: ", steps.count, " steps; give fixed_steps{1} or more"));
+}
 
 /// How large a step may be.
 struct step_limit {
@@ -235,6 +238,25 @@ template <class Observer> void tell(Observer& observer, const progress_state& st
                       "f(double t), or with a progress_state; this one takes neither");
 }
 
+/// `count` steps from the beginning to the end of a span: look(steps done, t, dt) before every n-th and after the last,
+/// step(dt, t at its end), and the observers.
+template <class Look, class Step, class... Observer>
+long in_equal_steps(const interval& span, long count, long n, Look look, Step step, Observer&... observers) {
+    const double dt = (span.end - span.begin) / static_cast<double>(count);
+    progress_state state{0, count, span.begin, span};
+    (tell(observers, state), ...);
+    for (long k = 1; k <= count; ++k) {
+        if ((k - 1) % n == 0) look(k - 1, state.time, dt);
+        const double end = k == count ? span.end : span.begin + dt * static_cast<double>(k);
+        step(dt, end);
+        state.step = k;
+        state.time = end;
+        (tell(observers, state), ...);
+    }
+    look(count, state.time, dt);
+    return count;
+}
+
 }  // namespace detail
 
 /// f, called at the start and after every n steps; f takes the time (double) or a progress_state.
@@ -252,29 +274,19 @@ template <class Solver, class... Body, class... Observer>
 long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps steps, Observer&&... observers) {
     using real = typename Solver::real;
     detail::check_span(span);
-    if (steps.count < 1)
-        throw error(detail::sentence("integrate: ", steps.count, " steps; give fixed_steps{1} or more"));
-    const double dt = (span.end - span.begin) / static_cast<double>(steps.count);
+    detail::check_count(steps);
     const double h = detail::to_double(mpm.grid().spacing());
     mpm.start_at(span.begin);
-    progress_state state{0, steps.count, span.begin, span};
-    (detail::tell(observers, state), ...);
-    for (long k = 1; k <= steps.count; ++k) {
-        if ((k - 1) % 1000 == 0) {
-            const double speed = detail::signal_speed<Solver::composition_type::moves>(std::as_const(all));
-            detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
-            const auto limit = detail::limit_of(mpm, all, steps.limit);
-            detail::check_courant(mpm, speed * dt / h, limit, dt, k - 1, state.time);
-            detail::warn_of_free_end(mpm, speed * dt / h, limit, dt, observers...);
-        }
-        const double end = k == steps.count ? span.end : span.begin + dt * static_cast<double>(k);
-        mpm.step(all, real(dt), end);
-        state.step = k;
-        state.time = end;
-        (detail::tell(observers, state), ...);
-    }
-    detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
-    return steps.count;
+    const auto look = [&](long done, double t, double dt) {
+        detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
+        if (done == steps.count) return;
+        const double speed = detail::signal_speed<Solver::composition_type::moves>(std::as_const(all));
+        const auto limit = detail::limit_of(mpm, all, steps.limit);
+        detail::check_courant(mpm, speed * dt / h, limit, dt, done, t);
+        detail::warn_of_free_end(mpm, speed * dt / h, limit, dt, observers...);
+    };
+    const auto step = [&](double dt, double end) { mpm.step(all, real(dt), end); };
+    return detail::in_equal_steps(span, steps.count, 1000, look, step, observers...);
 }
 
 /// The same with steps chosen by a Courant number; looked at again every 20 steps. Warns if steps are too large for the
