@@ -52,7 +52,7 @@ template <class Solver, class... Body> struct passes {
     /// The same with the kernel's own list.
     template <class Kernel> void nodes(Kernel kernel) { nodes(typename Kernel::list{}, kernel); }
     template <class... F> void set_zero() {
-        mpm.each_field([](auto& field) { field.sweeps.nodes().template set_zero<F...>(); });
+        mpm.each_field([](auto& field) { field.sweeps.template set_zero<F...>(); });
     }
 
     // Momentum, force and velocity, with what conditions and contact do to them.
