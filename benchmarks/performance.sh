@@ -74,9 +74,10 @@ END
             crossing) cat << 'END'
 
 Lanes are what crossing costs: a tile has as many slots as its fullest lane, and particles that wander fill lanes
-unevenly; tiles that lose particles give back slots where lower ones can take what is left in the last. What is left
-after dividing by the occupancy is the mailbox, and slots that no longer lie in the order of tiles. The worst case is a
-jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
+unevenly. Of eight particles in a cell on average, the fullest of four lanes has ten: slots and tiles alone make the step
+1.25 times as long, in this block after a tenth of a cell (counted; its edges included, where tiles hang over). What is
+left is the mailbox, some 300 ns for each particle that crosses, and new tiles. The worst case is a jet of scattered
+single particles: one lane of each slot is in use, and a particle costs as much as W.
 END
             ;;
             scaling) cat << 'END'

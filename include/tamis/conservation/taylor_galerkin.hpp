@@ -263,9 +263,9 @@ class taylor_galerkin {
     }
 
     void activate_nodes() {
-        detail::block_marks on(lattice_.size(), S::width);
-        detail::mark_reached(particles_.store().tiles, lattice_, on);
-        sweeps_.nodes().set_active(detail::marked(on));
+        detail::block_marks on;
+        detail::mark_all(std::tuple{&std::as_const(particles_.store())}, lattice_, on);
+        sweeps_.nodes().set_active(std::move(on.blocks));
     }
     void weigh_nodes() {
         sweeps_.template scatter<fields<const field::mass>, fields<field::mass>>(particles_, detail::mass_to_nodes{});

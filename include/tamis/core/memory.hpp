@@ -24,22 +24,65 @@ inline double memory_of_machine() {
     return std::numeric_limits<double>::infinity();
 }
 
-/// Vectors aligned to cache lines, by plain allocations: aligned ones leave holes in the heap of glibc before 2.38,
-/// which then grows for ever where large vectors come and go.
+/// Whether so many bytes are taken from the system as pages of their own: such come zeroed, take no memory before they
+/// are written, and go back when they are given back. In the heap of glibc large vectors that come and go, each of
+/// another size, would leave holes, and it would grow for ever.
+inline bool takes_pages([[maybe_unused]] std::size_t bytes) {
+#if defined(MAP_ANONYMOUS)
+    return bytes > (std::size_t(1) << 20);
+#else
+    return false;
+#endif
+}
+/// Throws std::bad_alloc if there is no such range of addresses.
+inline void* take_pages([[maybe_unused]] std::size_t bytes) {
+#if defined(MAP_ANONYMOUS)
+#if defined(MAP_NORESERVE)
+    constexpr int flags = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
+#else
+    constexpr int flags = MAP_PRIVATE | MAP_ANONYMOUS;
+#endif
+    void* const pages = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, flags, -1, 0);
+    if (pages != MAP_FAILED) return pages;
+#endif
+    throw std::bad_alloc();
+}
+inline void give_pages_back([[maybe_unused]] void* pages, [[maybe_unused]] std::size_t bytes) noexcept {
+#if defined(MAP_ANONYMOUS)
+    munmap(pages, bytes);
+#endif
+}
+/// Asks for large pages, for what is used densely: a processor keeps the places of few pages, and to look one up takes
+/// long, most of all on a virtual machine.
+inline void ask_for_large_pages([[maybe_unused]] void* pages, [[maybe_unused]] std::size_t bytes) {
+#if defined(MADV_HUGEPAGE)
+    // Whether they are given or not, the memory is there.
+    static_cast<void>(madvise(pages, bytes, MADV_HUGEPAGE));
+#endif
+}
+
+/// Vectors aligned to cache lines, by plain allocations or by pages: aligned allocations leave holes in the heap of
+/// glibc before 2.38.
 template <class T> struct aligned_allocator {
     using value_type = T;
     static constexpr std::size_t alignment = 64;
     aligned_allocator() = default;
     template <class U> aligned_allocator(const aligned_allocator<U>&) {}
     T* allocate(std::size_t count) {
-        if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T)) throw std::bad_alloc();
+        if (count > (std::numeric_limits<std::size_t>::max() / 2 - alignment) / sizeof(T)) throw std::bad_alloc();
+        if (takes_pages(count * sizeof(T))) {
+            void* const pages = take_pages(count * sizeof(T));
+            ask_for_large_pages(pages, count * sizeof(T));
+            return static_cast<T*>(pages);
+        }
         char* const all = static_cast<char*>(::operator new(count * sizeof(T) + alignment));
         const std::size_t to_next = alignment - reinterpret_cast<std::uintptr_t>(all) % alignment;
         char* const first = all + to_next;
         first[-1] = static_cast<char>(to_next);
         return reinterpret_cast<T*>(first);
     }
-    void deallocate(T* from, std::size_t) noexcept {
+    void deallocate(T* from, std::size_t count) noexcept {
+        if (takes_pages(count * sizeof(T))) return give_pages_back(from, count * sizeof(T));
         char* const first = reinterpret_cast<char*>(from);
         ::operator delete(first - first[-1]);
     }
@@ -88,39 +131,19 @@ template <class T> class zeros {
         std::swap(size_, other.size_);
         std::swap(data_, other.data_);
     }
-    static bool is_mapped([[maybe_unused]] std::size_t count) {
-#if defined(MAP_ANONYMOUS)
-        return std::is_trivially_copyable_v<T> && count > (std::size_t(1) << 20) / sizeof(T);
-#else
-        return false;
-#endif
+    static bool is_mapped(std::size_t count) {
+        return std::is_trivially_copyable_v<T> && count <= most && takes_pages(count * sizeof(T));
     }
+    static constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / 2 / sizeof(T);
     static T* allocate(std::size_t count) {
-#if defined(MAP_ANONYMOUS)
-        if (is_mapped(count)) {
-#if defined(MAP_NORESERVE)
-            constexpr int flags = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
-#else
-            constexpr int flags = MAP_PRIVATE | MAP_ANONYMOUS;
-#endif
-            if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T)) throw std::bad_alloc();
-            void* const pages = mmap(nullptr, count * sizeof(T), PROT_READ | PROT_WRITE, flags, -1, 0);
-            if (pages == MAP_FAILED) throw std::bad_alloc();
-            return static_cast<T*>(pages);
-        }
-#endif
+        if (is_mapped(count)) return static_cast<T*>(take_pages(count * sizeof(T)));
         T* const found = aligned_allocator<T>().allocate(count);
         std::uninitialized_fill_n(found, count, T(0));
         return found;
     }
     void release() noexcept {
         if (!data_) return;
-#if defined(MAP_ANONYMOUS)
-        if (is_mapped(size_)) {
-            munmap(data_, size_ * sizeof(T));
-            return;
-        }
-#endif
+        if (is_mapped(size_)) return give_pages_back(data_, size_ * sizeof(T));
         std::destroy_n(data_, size_);
         aligned_allocator<T>().deallocate(data_, size_);
     }

@@ -76,12 +76,18 @@ template <class S, class List> class node_table {
         for (int d = 0; d < S::dim; ++d) at<F>(place, d) = value[d];
     }
     template <class... F> void set_zero() {
-        constexpr auto W = static_cast<std::size_t>(S::width);
         if constexpr (in_columns)
             (clear_columns<F>(), ...);
         else
-            for (const std::uint32_t b : active_)
-                (std::fill_n(block<F>(b * W), W * static_cast<std::size_t>(F::template components<S>), real(0)), ...);
+            set_zero_in<F...>(0, active_.size());
+    }
+    /// ... in the active blocks from the first-th to the one before the last-th.
+    template <class... F> void set_zero_in(std::size_t first, std::size_t last) {
+        static_assert(!in_columns);
+        constexpr auto W = static_cast<std::size_t>(S::width);
+        for (std::size_t k = first; k < last; ++k)
+            (std::fill_n(block<F>(active_[k] * W), W * static_cast<std::size_t>(F::template components<S>), real(0)),
+             ...);
     }
 
     /// Blocks of W places that particles reach, each once, ascending.

@@ -23,18 +23,38 @@ template <class Shape, class real> bool settle(real& r, int& cell, int bins) {
     return cell >= 0 && cell < bins;
 }
 
-/// Posts the particles of a tile that are in another cell now; are there any?
+/// Some slots of a tile, by their numbers in it; those from the 63rd on are told together.
+class some_slots {
+  public:
+    TAMIS_INLINE void add(std::uint32_t slot) { bits_ |= std::uint64_t(1) << std::min(slot, last); }
+    TAMIS_INLINE bool any() const { return bits_ != 0; }
+    bool has(std::uint32_t slot) const { return bits_ >> std::min(slot, last) & 1u; }
+
+  private:
+    static constexpr std::uint32_t last = 63;
+    std::uint64_t bits_ = 0;
+};
+
+/// Posts the particles of some slots of a tile that are in another cell now; are there any?
 template <class S, class Shape, class Store>
-TAMIS_NOINLINE bool post_leavers(Store& store, const lattice<S, Shape>& lattice, std::size_t slab, std::size_t index) {
+TAMIS_NOINLINE bool post_leavers(Store& store, const lattice<S, Shape>& lattice, std::size_t slab, std::size_t index,
+                                 const some_slots& slots) {
     using real = typename S::real;
     constexpr int D = S::dim, W = S::width;
     tile& t = store.tiles[index];
     constexpr int first = Store::slot::template first<field::position>();
+    const bool at_wall = lattice.at_wall(t.at);
     bool any = false;
-    for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
+    // From the last one on: the particle that takes a place has been looked at.
+    for (std::uint32_t k = t.count; k-- > 0;) {
+        if (!slots.has(k)) continue;
+        const std::uint32_t s = t.first + k;
         for (int l = 0; l < W; ++l) {
             if (!(store.occupied[s] >> l & 1u)) continue;
             real* const p = store.lane_of(s, l) + first * W;
+            bool left = at_wall;
+            for (int d = 0; d < D; ++d) left = left || !(p[d * W] >= real(0) && p[d * W] < real(1));
+            if (!left) continue;
             const std::array<int, 3> from{t.at[0] * W + l, t.at[1], t.at[2]};
             std::array<int, 3> cell = from;
             point<D, real> local;
@@ -50,9 +70,10 @@ TAMIS_NOINLINE bool post_leavers(Store& store, const lattice<S, Shape>& lattice,
             else
                 cell[0] = Store::outside;
             if (cell == from) continue;
-            store.post(slab, s, l, from, cell);
+            store.post(lattice, slab, t, s, l, from, cell);
             any = true;
         }
+    }
     store.shrink(slab, t);
     return any;
 }

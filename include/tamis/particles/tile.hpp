@@ -13,14 +13,22 @@
 
 namespace tamis::detail {
 
-/// W neighbouring cells along x; lane l of each of its slots holds a particle of cell l, or is empty.
+/// Where a letter is: in which outbox, and its place there.
+struct letter_place {
+    std::uint32_t box, at;
+    static constexpr std::uint32_t none = ~0u;
+    bool is_none() const { return box == none; }
+};
+
+/// W neighbouring cells along x; lane l of each of its slots holds a particle of cell l, or is empty. A lane's
+/// particles are in the tile's first slots, without gaps: so the tile has as many slots as its fullest lane.
 struct tile {
-    std::array<int, 3> at;       // block along x, cells along y and z
-    std::size_t node;            // storage place of the first node that lane 0 reaches
-    std::uint32_t first, count;  // slots in use
-    std::uint32_t room;          // slots kept for it
-    int letter;                  // first letter to be delivered, -1: none
-    std::uint32_t letters;
+    std::array<int, 3> at;                       // block along x, cells along y and z
+    std::size_t node;                            // storage place of the first node that lane 0 reaches
+    std::uint32_t first, count;                  // slots in use
+    std::uint32_t room;                          // slots kept for it
+    letter_place letter{letter_place::none, 0};  // the first to be delivered
+    std::uint32_t letters = 0;
 };
 
 /// Particle storage: tiles exist only where particles are. Empty lanes hold zeros, hence no mass.
@@ -37,8 +45,8 @@ template <class S, class List> class tile_store {
     struct letter {
         real value[components];
         std::array<int, 3> from, cell;  // cell[0] == outside: not in the grid; the place is relative to `from`
-        int next;
-        std::size_t origin;  // place in storage
+        std::size_t origin;             // place in storage
+        letter() {}                     // written in place, whole
     };
     static constexpr int outside = -1;
 
@@ -46,6 +54,7 @@ template <class S, class List> class tile_store {
     std::vector<slot, aligned_allocator<slot>> slots;
     std::vector<std::uint32_t> occupied;  // per slot: which lanes hold a particle
     stamp layout;                         // renewed when tiles come or go
+    stamp ground;                         // renewed when tiles go, or change their order
     std::uint64_t updates = 0;            // how often steps changed the particles
 
     explicit tile_store(std::size_t blocks) : tile_of_block_(blocks) {}
@@ -76,10 +85,7 @@ template <class S, class List> class tile_store {
         slots.resize(needed);
         for (slot& s : slots) s.set_zero();
         occupied.assign(needed, 0);
-        sorted_ = tiles.size();
-        tidied_ = slots.size();
-        arranged_ = false;
-        layout.renew();
+        renew_order();
     }
     /// A new particle in a cell, all its fields zero: its slot. The lane is the cell's.
     template <class Lattice> std::uint32_t add(const Lattice& lattice, const std::array<int, 3>& cell) {
@@ -88,74 +94,95 @@ template <class S, class List> class tile_store {
         ++count_;
         return s;
     }
-    /// Takes a particle out.
-    void remove(std::uint32_t s, int l) {
-        clear_lane(s, l);
+    /// Takes a particle of a tile out.
+    void remove(const tile& t, std::uint32_t s, int l) {
+        fill_gap(t, s, l);
         --count_;
     }
-    /// Puts the particle of lane l on its way to another cell. Slabs may do so at the same time.
-    void post(std::size_t slab, std::uint32_t s, int l, const std::array<int, 3>& from_cell,
-              const std::array<int, 3>& cell) {
+    /// Puts the particle of slot s, lane l on its way to another cell; the last particle of that lane takes its place.
+    /// Slabs may do so at the same time.
+    template <class Lattice> void post(const Lattice& lattice, std::size_t slab, const tile& t, std::uint32_t s, int l,
+                                       const std::array<int, 3>& from_cell, const std::array<int, 3>& cell) {
+        // The tile is looked for here, where it is near those that the processor has at hand.
+        const bool inside = cell[0] != outside;
+        outboxes_[slab].addresses.push_back(
+            {inside ? std::as_const(tile_of_block_)[lattice.block_place({cell[0] / W, cell[1], cell[2]})] : 0,
+             static_cast<std::uint32_t>(inside ? cell[0] % W : 0), no_letter});
         letter& to = outboxes_[slab].letters.emplace_back();
         const real* from = lane_of(s, l);
         for (int c = 0; c < components; ++c) to.value[c] = from[c * W];
         to.from = from_cell;
         to.cell = cell;
-        to.next = -1;
         to.origin = static_cast<std::size_t>(s) * static_cast<std::size_t>(W) + static_cast<std::size_t>(l);
-        clear_lane(s, l);
+        fill_gap(t, s, l);
     }
     /// Gives back the slots that a tile no longer needs, after it posted particles.
     void shrink(std::size_t slab, tile& t) {
-        tighten(t);
+        while (t.count > 0 && occupied[t.first + t.count - 1] == 0) --t.count;
         if (t.count == 0) outboxes_[slab].emptied_a_tile = true;
     }
     /// Hands the letters of all outboxes, in their order, to the tiles. Returns how many there were. `left(letter)`
     /// decides about particles outside the grid: it gives their cell and place valid values, or returns false to remove
     /// them.
     template <class Lattice, class Left> std::size_t sort_mail(const Lattice& lattice, Left&& left) {
-        const std::size_t before = mail_.size();
-        for (outbox& box : outboxes_) {
-            for (letter& l : box.letters) {
-                if (l.cell[0] == outside && !left(l)) {
-                    --count_;
-                    continue;
-                }
-                tile& t = tiles[static_cast<std::size_t>(tile_at(lattice, l.cell))];
-                l.next = std::exchange(t.letter, static_cast<int>(mail_.size()));
-                ++t.letters;
-                mail_.push_back(l);
-            }
-            box.letters.clear();
+        std::size_t handed = 0;
+        const bool others_wait = mail_ > 0;
+        got_letters_.clear();
+        for (std::uint32_t b = 0; b < outboxes_.size(); ++b) {
+            outbox& box = outboxes_[b];
             emptied_ = std::exchange(box.emptied_a_tile, false) || emptied_;
+            for (; box.handed < box.letters.size(); ++box.handed) {
+                address& to = box.addresses[box.handed];
+                if (to.tile == 0) {
+                    letter& l = box.letters[box.handed];
+                    if (l.cell[0] == outside && !left(l)) {
+                        --count_;
+                        continue;
+                    }
+                    to.tile = tile_at(lattice, l.cell) + 1;
+                    to.lane = static_cast<std::uint32_t>(l.cell[0] % W);
+                }
+                tile& t = tiles[static_cast<std::size_t>(to.tile - 1)];
+                if (t.letter.is_none() || others_wait) got_letters_.push_back(static_cast<std::uint32_t>(to.tile - 1));
+                to.next = std::exchange(t.letter, {b, box.handed});
+                ++t.letters;
+                ++handed;
+            }
         }
+        mail_ += handed;
         // Slots are made here, not in `deliver`: that may run in several threads.
-        for (std::size_t k = before; k < mail_.size(); ++k) {
-            tile& t = tiles[static_cast<std::size_t>(tile_at(lattice, mail_[k].cell))];
-            if (t.letter != static_cast<int>(k) || t.count + t.letters <= t.room) continue;
+        for (const std::uint32_t index : got_letters_) {
+            tile& t = tiles[index];
+            if (t.count + t.letters <= t.room) continue;
             const std::uint32_t wanted = slots_with_letters(t);
             if (wanted > t.room) make_room(t, wanted + 1);
         }
-        return mail_.size() - before;
+        if (mail_ == 0) mail_delivered();  // all were removed
+        return handed;
     }
-    bool has_mail() const { return !mail_.empty(); }
-    /// Puts a tile's letters in and gives back slots it no longer needs.
+    bool has_mail() const { return mail_ > 0; }
+    /// Puts a tile's letters in.
     void deliver(tile& t) {
-        if (t.letter < 0) return;
-        for (int k = std::exchange(t.letter, -1); k >= 0;) {
-            const letter& from = mail_[static_cast<std::size_t>(k)];
-            const int l = from.cell[0] % W;
-            real* to = lane_of(free_slot(t, l), l);
-            for (int c = 0; c < components; ++c) to[c * W] = from.value[c];
-            k = from.next;
+        if (t.letter.is_none()) return;
+        for (letter_place k = std::exchange(t.letter, no_letter); !k.is_none(); k = address_of(k).next) {
+            const auto l = static_cast<int>(address_of(k).lane);
+            const real* const from = outboxes_[k.box].letters[k.at].value;
+            real* const to = lane_of(free_slot(t, l), l);
+            for (int c = 0; c < components; ++c) to[c * W] = from[c];
         }
         t.letters = 0;
-        tighten(t);
     }
     /// To be called once every tile has had its letters.
-    void mail_delivered() { mail_.clear(); }
+    void mail_delivered() {
+        mail_ = 0;
+        for (outbox& box : outboxes_) {
+            box.letters.clear();
+            box.addresses.clear();
+            box.handed = 0;
+        }
+    }
     void deliver_all() {
-        if (mail_.empty()) return;
+        if (mail_ == 0) return;
         for (tile& t : tiles) deliver(t);
         mail_delivered();
     }
@@ -163,7 +190,7 @@ template <class S, class List> class tile_store {
     template <class Lattice> void tidy(const Lattice& lattice) {
         std::size_t empty = 0;
         if (std::exchange(emptied_, false))
-            for (const tile& t : tiles) empty += t.count == 0 && t.letter < 0 ? 1 : 0;
+            for (const tile& t : tiles) empty += t.count == 0 && t.letter.is_none() ? 1 : 0;
         if (empty > tiles.size() / 4 + 1 || tiles.size() > sorted_ + sorted_ / 8 + 16 ||
             slots.size() > slots_before_tidy(tidied_))
             sort(lattice, 2);
@@ -175,7 +202,7 @@ template <class S, class List> class tile_store {
         for (std::size_t k = 0; k < tiles.size(); ++k)
             if (tiles[k].count > 0) {
                 order.push_back(k);
-                needed += tiles[k].count + spare;
+                needed += spare == 0 ? tiles[k].count : even(tiles[k].count + spare);
             }
         std::sort(order.begin(), order.end(),
                   [&](std::size_t a, std::size_t b) { return tiles[a].node < tiles[b].node; });
@@ -193,12 +220,12 @@ template <class S, class List> class tile_store {
                 new_slots.push_back(slots[s]);
                 new_occupied.push_back(occupied[s]);
             }
-            for (std::uint32_t s = 0; s < spare; ++s) {
+            t.first = first;
+            t.room = spare == 0 ? t.count : even(t.count + spare);
+            for (std::uint32_t s = t.count; s < t.room; ++s) {
                 new_slots.emplace_back().set_zero();
                 new_occupied.push_back(0);
             }
-            t.first = first;
-            t.room = t.count + spare;
             new_tiles.push_back(t);
             tile_of_block_[lattice.block_place(t.at)] = static_cast<int>(new_tiles.size());
         }
@@ -206,10 +233,7 @@ template <class S, class List> class tile_store {
         slots.swap(new_slots);
         occupied.swap(new_occupied);
         left_.clear();
-        sorted_ = tiles.size();
-        tidied_ = slots.size();
-        arranged_ = false;
-        layout.renew();
+        renew_order();
     }
     /// Share of the lanes in use that hold a particle.
     double occupancy() const {
@@ -224,10 +248,12 @@ template <class S, class List> class tile_store {
         if (std::exchange(arranged_, true)) return;
         constexpr int thinnest = D == 1 ? (N - 2) / W + 1 : N - 1;
         constexpr std::size_t outer = static_cast<std::size_t>(D - 1);
-        order_.resize(tiles.size());
-        for (std::size_t k = 0; k < order_.size(); ++k) order_[k] = static_cast<std::uint32_t>(k);
-        std::sort(order_.begin(), order_.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return tiles[a].node < tiles[b].node; });
+        const auto before = static_cast<std::ptrdiff_t>(order_.size());
+        const auto by_node = [&](std::uint32_t a, std::uint32_t b) { return tiles[a].node < tiles[b].node; };
+        order_.reserve(tiles.size());
+        while (order_.size() < tiles.size()) order_.push_back(static_cast<std::uint32_t>(order_.size()));
+        std::sort(order_.begin() + before, order_.end(), by_node);
+        std::inplace_merge(order_.begin(), order_.begin() + before, order_.end(), by_node);
         slabs_.assign(1, 0);
         if (tiles.size() > 64) {
             const int low = tiles[order_.front()].at[outer], high = tiles[order_.back()].at[outer];
@@ -239,7 +265,8 @@ template <class S, class List> class tile_store {
             }
         } else
             slabs_.push_back(static_cast<std::uint32_t>(order_.size()));
-        outboxes_.resize(slabs());
+        // Not fewer: there may be letters in them.
+        outboxes_.resize(std::max(outboxes_.size(), slabs()));
     }
     std::size_t slabs() const { return slabs_.size() - 1; }
     /// The tiles of slab k, in the order of their nodes.
@@ -270,14 +297,24 @@ template <class S, class List> class tile_store {
     }
 
   private:
-    struct outbox {
+    /// Where a letter goes, apart from it: so that handing out letters reads little.
+    struct address {
+        int tile;  // from 1; 0: not known yet
+        std::uint32_t lane;
+        letter_place next;
+    };
+    static constexpr letter_place no_letter{letter_place::none, 0};
+    struct alignas(64) outbox {  // on cache lines of its own
         std::vector<letter> letters;
+        std::vector<address> addresses;
+        std::uint32_t handed = 0;  // to their tiles
         bool emptied_a_tile = false;
     };
     std::vector<outbox> outboxes_;  // one per slab: threads write without meeting
+    std::size_t mail_ = 0;          // letters to be delivered
+    std::vector<std::uint32_t> got_letters_;
     bool arranged_ = false, emptied_ = false;
     std::vector<std::uint32_t> order_, slabs_{0};
-    std::vector<letter> mail_;
     zeros<int> tile_of_block_;  // from 1; 0: none
     std::size_t count_ = 0, sorted_ = 0, tidied_ = 0;
     std::vector<std::vector<std::uint32_t>> left_;  // by the number of slots: first ones of room that tiles left
@@ -285,11 +322,23 @@ template <class S, class List> class tile_store {
     /// How many slots there may be before they are tidied. Addresses for them are taken at once, memory when they come:
     /// so slots are not copied as they become more.
     static std::size_t slots_before_tidy(std::size_t tidied) { return tidied + tidied / 2 + 256; }
+    /// Few sizes, so that room that a tile left serves another.
+    static std::uint32_t even(std::uint32_t room) { return room + room % 2; }
+    /// Tiles are in the order of their nodes.
+    void renew_order() {
+        sorted_ = tiles.size();
+        tidied_ = slots.size();
+        order_.clear();
+        arranged_ = false;
+        layout.renew();
+        ground.renew();
+    }
+    const address& address_of(const letter_place& k) const { return outboxes_[k.box].addresses[k.at]; }
     template <class Lattice> int tile_at(const Lattice& lattice, const std::array<int, 3>& cell) {
         const std::array<int, 3> at{cell[0] / W, cell[1], cell[2]};
         int& t = tile_of_block_[lattice.block_place(at)];
         if (t == 0) {
-            tiles.push_back({at, lattice.first_node(at), static_cast<std::uint32_t>(slots.size()), 0, 0, -1, 0});
+            tiles.push_back({at, lattice.first_node(at), static_cast<std::uint32_t>(slots.size()), 0, 0});
             t = static_cast<int>(tiles.size());
             arranged_ = false;
             layout.renew();
@@ -301,30 +350,47 @@ template <class S, class List> class tile_store {
         for (int c = 0; c < components; ++c) p[c * W] = real(0);
         occupied[s] &= ~(1u << l);
     }
-    /// A place with lane l free, marked as occupied.
-    std::uint32_t free_slot(tile& t, int l) {
-        for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
-            if (!(occupied[s] >> l & 1u)) {
-                occupied[s] |= 1u << l;
-                return s;
-            }
-        if (t.count == t.room) make_room(t, t.room == 0 ? 4 : t.room + std::max(2u, t.room / 2));
-        const std::uint32_t s = t.first + t.count++;
-        occupied[s] = 1u << l;
-        return s;
+    /// The last particle of lane l goes to slot s of a tile; none is there any more.
+    void fill_gap(const tile& t, std::uint32_t s, int l) {
+        const std::uint32_t last = t.first + in_lane(t, l) - 1;
+        if (last != s) {
+            real *to = lane_of(s, l), *from = lane_of(last, l);
+            for (int c = 0; c < components; ++c) to[c * W] = from[c * W];
+        }
+        clear_lane(last, l);
     }
-    /// Slots that a tile will need once its letters are in: those of its fullest lane, or those it has.
+    /// Number of particles in lane l.
+    std::uint32_t in_lane(const tile& t, int l) const {
+        std::uint32_t n = t.count;
+        while (n > 0 && !(occupied[t.first + n - 1] >> l & 1u)) --n;
+        return n;
+    }
+    /// The first place of lane l that is free, marked as occupied.
+    std::uint32_t free_slot(tile& t, int l) {
+        const std::uint32_t n = in_lane(t, l);
+        if (n == t.count) {
+            if (n == t.room) make_room(t, t.room == 0 ? 4 : t.room + std::max(2u, t.room / 2));
+            ++t.count;
+        }
+        occupied[t.first + n] |= 1u << l;
+        return t.first + n;
+    }
+    /// Slots that a tile will need once its letters are in.
     std::uint32_t slots_with_letters(const tile& t) const {
-        std::array<std::uint32_t, static_cast<std::size_t>(W)> in_lane{};
-        for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
-            for (std::size_t l = 0; l < in_lane.size(); ++l) in_lane[l] += occupied[s] >> l & 1u;
-        for (int k = t.letter; k >= 0; k = mail_[static_cast<std::size_t>(k)].next)
-            ++in_lane[static_cast<std::size_t>(mail_[static_cast<std::size_t>(k)].cell[0] % W)];
-        return std::max(t.count, *std::max_element(in_lane.begin(), in_lane.end()));
+        std::array<std::uint32_t, static_cast<std::size_t>(W)> in{};
+        for (int l = 0; l < W; ++l) in[static_cast<std::size_t>(l)] = in_lane(t, l);
+        for (letter_place k = t.letter; !k.is_none(); k = address_of(k).next) ++in[address_of(k).lane];
+        return std::max(t.count, *std::max_element(in.begin(), in.end()));
     }
     /// Moves the tile's slots to where there is more room: where another tile was, or to the end.
-    void make_room(tile& t, std::uint32_t room) {
+    void make_room(tile& t, std::uint32_t least) {
+        std::uint32_t room = even(least);
         auto first = static_cast<std::uint32_t>(slots.size());
+        for (std::uint32_t k = room; k < room + 4 && k < left_.size(); ++k)
+            if (!left_[k].empty()) {
+                room = k;
+                break;
+            }
         if (room < left_.size() && !left_[room].empty()) {
             first = left_[room].back();
             left_[room].pop_back();
@@ -345,25 +411,6 @@ template <class S, class List> class tile_store {
         }
         t.first = first;
         t.room = room;
-    }
-    /// Gives back the last slots while lower ones can take their particles.
-    void tighten(tile& t) {
-        while (t.count > 0) {
-            const std::uint32_t last = t.first + t.count - 1;
-            std::uint32_t free_lanes = 0;
-            for (std::uint32_t s = t.first; s < last; ++s) free_lanes |= full & ~occupied[s];
-            if (occupied[last] & ~free_lanes) return;
-            for (int l = 0; l < W; ++l) {
-                if (!(occupied[last] >> l & 1u)) continue;
-                std::uint32_t s = t.first;
-                while (occupied[s] >> l & 1u) ++s;
-                real *to = lane_of(s, l), *from = lane_of(last, l);
-                for (int c = 0; c < components; ++c) to[c * W] = from[c * W];
-                occupied[s] |= 1u << l;
-                clear_lane(last, l);
-            }
-            --t.count;
-        }
     }
 };
 

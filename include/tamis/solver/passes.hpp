@@ -53,7 +53,7 @@ template <class Solver, class... Body> struct passes {
     /// The same with the kernel's own list.
     template <class Kernel> void nodes(Kernel kernel) { nodes(typename Kernel::list{}, kernel); }
     template <class... F> void set_zero() {
-        for (auto& field : mpm.velocity_fields()) field.sweeps.nodes().template set_zero<F...>();
+        for (auto& field : mpm.velocity_fields()) field.sweeps.template set_zero<F...>();
     }
 
     // Momentum, force and velocity, with what conditions and contact do to them.

@@ -286,6 +286,7 @@ template <class Grid, class... Policies> class solver {
     struct velocity_field {
         sweeps_type sweeps;
         held_type held;
+        detail::block_marks marks;
         explicit velocity_field(const solver& of)
             : sweeps(of.shape_, of.lattice_, of.run_), held(of.boundary_, of.lattice_, of.method_) {}
     };
@@ -419,12 +420,17 @@ template <class Grid, class... Policies> class solver {
             while (further_.size() + 1 < sizeof...(Body)) further_.push_back(std::make_unique<velocity_field>(*this));
         for (std::size_t f = 0; f < (C::own_velocities ? further_.size() + 1 : 1); ++f) {
             auto& field = field_of(f);
-            detail::block_marks on(lattice_.size(), S::width);
-            std::size_t body = 0;
-            each([&](auto& b) {
-                if (!C::own_velocities || body++ == f) detail::mark_reached(b.store().tiles, lattice_, on);
-            });
-            field.sweeps.nodes().set_active(detail::marked(on));
+            auto& on = field.marks;
+            if constexpr (C::own_velocities) {
+                std::size_t body = 0;
+                if (f >= sizeof...(Body)) on = detail::block_marks(lattice_.size(), S::width);
+                each([&](auto& b) {
+                    if (body++ == f) detail::mark_all(std::tuple{&std::as_const(b.store())}, lattice_, on);
+                });
+            } else
+                std::apply(
+                    [&](auto&... b) { detail::mark_all(std::tuple{&std::as_const(b.store())...}, lattice_, on); }, all);
+            field.sweeps.nodes().set_active(on.blocks);
             field.held.attend({on.reached.data(), on.reached.size()});
             if constexpr (!C::moves) field.sweeps.nodes().template set_zero<field::mass>();
         }

@@ -30,6 +30,19 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     nodes_type& nodes() { return nodes_; }
     const nodes_type& nodes() const { return nodes_; }
 
+    /// Fields of all active nodes become zero.
+    template <class... F> void set_zero() {
+        if constexpr (nodes_type::in_columns)
+            nodes_.template set_zero<F...>();
+        else {
+            constexpr std::size_t chunk = 1024;
+            const std::size_t blocks = nodes_.active().size();
+            run_.for_each((blocks + chunk - 1) / chunk, [&](std::size_t k) {
+                nodes_.template set_zero_in<F...>(k * chunk, std::min(blocks, (k + 1) * chunk));
+            });
+        }
+    }
+
     /// kernel(i) for all active nodes, W at a time; i shows the fields of the list.
     template <class... F, class Kernel> void each_node(fields<F...>, Kernel kernel) {
         constexpr std::size_t chunk = 256;
@@ -175,10 +188,11 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         ++store.updates;
         run_.for_each(store.slabs(), [&](std::size_t k) {
             store.each_tile_and_next(k, [&](std::size_t j, const auto* next) {
-                [[maybe_unused]] const bool left = gather_tile<Sums, Gradient>(store, store.tiles[j], next, kernel);
+                [[maybe_unused]] const some_slots left =
+                    gather_tile<Sums, Gradient>(store, store.tiles[j], next, kernel);
                 if constexpr (Moves)
-                    if (left) [[unlikely]]
-                        post_leavers(store, lattice_, k, j);
+                    if (left.any()) [[unlikely]]
+                        post_leavers(store, lattice_, k, j, left);
             });
         });
     }
@@ -270,7 +284,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     template <class Sums, class Gradient, class Store, class Kernel>
-    TAMIS_FLATTEN bool gather_tile(Store& store, const tile& t, const typename Store::slot* next, Kernel& kernel) {
+    TAMIS_FLATTEN some_slots gather_tile(Store& store, const tile& t, const typename Store::slot* next,
+                                         Kernel& kernel) {
         const weigh_type weigh(functions_, lattice_, t);
         const frame<S> at = lattice_.frame_of(t.at);
         const nodes_around<S, Shape, typename with_gradient<Sums, Gradient>::type> around(lattice_, nodes_, t.node);
@@ -281,7 +296,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             else
                 return no_field{};
         }();
-        bool left = false;
+        some_slots left;
         for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
             auto& slot = store.slots[s];
             if constexpr (S::dim > 1) store.fetch(next + (s - t.first));
@@ -294,7 +309,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             else
                 kernel(slot, store.occupied[s], at, g);
             if (store.occupied[s] != Store::full) clear_empty(slot);
-            if constexpr (Moves) left = left || weigh.may_have_left(slot);
+            if constexpr (Moves)
+                if (weigh.may_have_left(slot)) left.add(s - t.first);
         }
         return left;
     }
@@ -322,7 +338,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             const nodes_around<S, Shape, typename with_gradient<Sums, Gradient>::type> around(lattice, columns, place);
             sums_type sums[N];
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
-            auto stay = T(real(0)) >= T(real(0));
+            some_slots left;
             for (std::uint32_t s = first; s < last; ++s) {
                 auto& slot = slots[s];
                 stencil<S, N> st;
@@ -331,7 +347,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 gather<Gradient>(around, st, g);
                 kernel(slot, occupied[s], at, g);
                 if (occupied[s] != Store::full) clear_empty(slot);
-                if constexpr (Moves) stay = stay & weigh.stays(slot);
+                if constexpr (Moves)
+                    if (weigh.may_have_left(slot)) left.add(s - first);
                 if (!ahead) continue;
                 if constexpr (Moves) weigh(st, slot);
                 const auto made = give.make(slot, at);
@@ -344,8 +361,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             }
             if (ahead) row.add(sums, columns, place);
             if constexpr (Moves)
-                if (lane<T>::any(!stay)) [[unlikely]]
-                    some_left = post_leavers(store, lattice_, k, j) || some_left;
+                if (left.any()) [[unlikely]]
+                    some_left = post_leavers(store, lattice_, k, j, left) || some_left;
         }
         row_out = row;
         return some_left;

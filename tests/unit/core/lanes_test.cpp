@@ -62,6 +62,12 @@ template <class T, int K> void shifted_by() {
         CHECK(up[at(l)] == (l < K ? 0 : a[at(l - K)]));
         CHECK(over[at(l)] == (l < K ? a[at(width<T> - K + l)] : 0));
     }
+    const auto b = some<T>(8);
+    const auto slid = to(lane<T>::template slide<K>(from<T>(a), from<T>(b)));
+    for (int l = 0; l < width<T>; ++l) {
+        const auto k = static_cast<std::size_t>(K + l), w = static_cast<std::size_t>(width<T>);
+        CHECK(slid[static_cast<std::size_t>(l)] == (k < w ? a[k] : b[k - w]));
+    }
 }
 template <class T> void shifts_lose_nothing() {
     [&]<int... K>(std::integer_sequence<int, K...>) { (shifted_by<T, K + 1>(), ...); }

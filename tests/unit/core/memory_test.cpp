@@ -38,3 +38,18 @@ TEST_CASE("aligned vectors start at cache lines") {
         CHECK(reinterpret_cast<std::uintptr_t>(all.back().data()) % 64 == 0);
     }
 }
+
+TEST_CASE("aligned vectors that have become large are pages, and keep what they had") {
+    std::vector<double, aligned_allocator<double>> some;
+    for (std::size_t k = 0; k < (std::size_t(1) << 19); ++k) some.push_back(static_cast<double>(k));
+    CHECK(reinterpret_cast<std::uintptr_t>(some.data()) % 64 == 0);
+    bool kept = true;
+    for (std::size_t k = 0; k < some.size(); ++k) kept = kept && some[k] == static_cast<double>(k);
+    CHECK(kept);
+    const auto copy = some;
+    some.resize(7);
+    some.shrink_to_fit();
+    CHECK(some.back() == 6);
+    CHECK(copy.back() == static_cast<double>(copy.size() - 1));
+    CHECK_THROWS_AS(some.reserve(some.max_size()), std::bad_alloc);
+}

@@ -58,8 +58,9 @@ template <int Dim, class T> struct world {
         model[next_mass] = {cell, speed_of_it};
         next_mass += 1;
     }
+    /// From the last slot on: where one is posted or removed, the last of its lane takes its place.
     template <class F> void each_particle_of(const detail::tile& t, F f) {
-        for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
+        for (std::uint32_t s = t.first + t.count; s-- > t.first;)
             for (int l = 0; l < W; ++l)
                 if (store.occupied[s] >> l & 1u) f(s, l, cell_index{t.at[0] * W + l, t.at[1], t.at[2]});
     }
@@ -82,7 +83,7 @@ template <int Dim, class T> struct world {
                         model[m].cell = {0, 0, 0};
                     else
                         model.erase(m);
-                    store.post(slab, s, l, from, to);
+                    store.post(lattice, slab, store.tiles[k], s, l, from, to);
                 });
                 store.shrink(slab, store.tiles[k]);
             });
@@ -93,19 +94,19 @@ template <int Dim, class T> struct world {
         });
     }
     void remove_some() {
-        each_particle([&](std::uint32_t s, int l, const cell_index&) {
-            if (any(40) != 0) return;
-            model.erase(mass(s, l));
-            store.remove(s, l);
-        });
+        for (const detail::tile& t : store.tiles)
+            each_particle_of(t, [&](std::uint32_t s, int l, const cell_index&) {
+                if (any(40) != 0) return;
+                model.erase(mass(s, l));
+                store.remove(t, s, l);
+            });
     }
-    /// The last slot of every tile has a particle that no lower slot had room for.
+    /// A lane has no gaps, and every tile as many slots as its fullest lane.
     void check_tight() {
         for (const detail::tile& t : store.tiles) {
-            if (t.count == 0) continue;
-            std::uint32_t free_below = 0;
-            for (std::uint32_t s = t.first; s + 1 < t.first + t.count; ++s) free_below |= ~store.occupied[s];
-            CHECK((store.occupied[t.first + t.count - 1] & ~free_below) != 0);
+            for (std::uint32_t s = t.first; s + 1 < t.first + t.count; ++s)
+                CHECK((store.occupied[s + 1] & ~store.occupied[s]) == 0);
+            if (t.count > 0) CHECK(store.occupied[t.first + t.count - 1] != 0);
         }
     }
     void check_same_as_model() {
@@ -248,7 +249,7 @@ TEST_CASE("tile_store: tiles that all particles left are given back") {
     for (std::size_t k = 0; k < w.store.tiles.size(); ++k) {
         detail::tile& t = w.store.tiles[k];
         w.each_particle_of(t, [&](std::uint32_t s, int l, const cell_index& from) {
-            w.store.post(0, s, l, from, {4, 3, 0});
+            w.store.post(w.lattice, 0, t, s, l, from, {4, 3, 0});
         });
         w.store.shrink(0, t);
     }
@@ -260,14 +261,73 @@ TEST_CASE("tile_store: tiles that all particles left are given back") {
     CHECK(w.store.layout.number() != layout);
 }
 
+TEST_CASE("tile_store: room that tiles left is taken again, so that slots do not become more for ever") {
+    world<2, native_lanes::type<double>> w(box<2>());
+    for (int k = 0; k < 400; ++k) w.add(w.any_cell());
+    w.store.sort(w.lattice, 0);
+    std::size_t most = 0;
+    for (int round = 0; round < 400; ++round) {
+        w.move_some(3);
+        w.store.deliver_all();
+        if (round < 100) most = std::max(most, w.store.slots.size());
+    }
+    w.check_same_as_model();
+    CHECK(w.store.slots.size() < most + most / 4);
+    // A tile that needs a little more takes what another left, not new slots.
+    world<1, double> small(box<1>());
+    for (int k = 0; k < 4; ++k) small.add({3, 0, 0});
+    small.add({5, 0, 0});
+    const auto first = small.store.tiles[0].first;
+    small.add({3, 0, 0});
+    CHECK(small.store.tiles[0].first != first);
+    const std::size_t slots = small.store.slots.size();
+    small.add({7, 0, 0});
+    CHECK(small.store.tiles[2].first == first);
+    CHECK(small.store.slots.size() == slots);
+    CHECK(small.mass(first, 0) == 7);
+    for (std::uint32_t s = first + 1; s < first + small.store.tiles[2].room; ++s) CHECK(small.mass(s, 0) == 0);
+    small.check_same_as_model();
+}
+
+TEST_CASE("tile_store: letters of particles that are removed are not kept") {
+    world<1, double> w(box<1>());
+    for (int k = 0; k < 100; ++k) w.add({k % 20, 0, 0});
+    w.store.arrange<2>();
+    const auto leave = [&](std::size_t index) {
+        const detail::tile& t = w.store.tiles[index];
+        w.store.post(w.lattice, 0, t, t.first, 0, {t.at[0], 0, 0}, {w.outside, 0, 0});
+        std::size_t shown = 0;
+        CHECK(w.store.sort_mail(w.lattice, [&](auto&) { return shown++ > 0; }) == 0);
+        CHECK(shown == 1);
+        CHECK_FALSE(w.store.has_mail());
+    };
+    for (std::size_t k = 0; k < 20; ++k) leave(k);
+    CHECK(w.store.size() == 80);
+}
+
+TEST_CASE("tile_store: letters wait while tiles and slabs come and go") {
+    world<2, native_lanes::type<double>> w({{0., 0.}, {40., 200.}, 1.});
+    for (int k = 0; k < 300; ++k) w.add({w.any(40), w.any(4), 0});
+    w.store.sort(w.lattice, 0);
+    for (int round = 0; round < 4; ++round) {
+        w.move_some(4);
+        w.store.arrange<2>();
+    }
+    CHECK(w.store.has_mail());
+    w.store.deliver_all();
+    w.check_tight();
+    w.check_same_as_model();
+}
+
 TEST_CASE("tile_store: a letter tells where its particle was, and where in storage") {
     world<1, double> w(box<1>());
     w.add({3, 0, 0});
     w.add({5, 0, 0});
     w.store.arrange<2>();
-    w.each_particle([&](std::uint32_t s, int l, const cell_index& from) {
-        if (from[0] == 5) w.store.post(0, s, l, from, {w.outside, 0, 0});
-    });
+    for (const detail::tile& t : w.store.tiles)
+        w.each_particle_of(t, [&](std::uint32_t s, int l, const cell_index& from) {
+            if (from[0] == 5) w.store.post(w.lattice, 0, t, s, l, from, {w.outside, 0, 0});
+        });
     cell_index was{};
     const std::size_t moved = w.store.sort_mail(w.lattice, [&](auto& letter) {
         was = letter.from;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <utility>
 
 #include "catch.hpp"
 
@@ -127,7 +129,100 @@ template <int Dim, class Shape, class Lanes> void transfers_are_complete() {
         for (int d = 0; d < Dim; ++d) CHECK(std::abs(p[v][d] - linear_velocity(p[x], d)) < 4e-14);
 }
 
+/// The quadratic splines without a pivot: every node's weight is used.
+struct without_pivot {
+    static constexpr std::string_view name = "quadratic without pivot";
+    static constexpr int support = 3;
+    static constexpr double shift = 0.5;
+    template <class T> auto on_axis(const T& r) const { return quadratic_spline{}.on_axis(r); }
+};
+/// All sums of the step: more than registers hold, so that they are made in groups.
+struct all_sums {
+    static int make(const auto&, const auto&) { return 0; }
+    void operator()(auto p, auto near, int) const {
+        for (const auto& [i, w, dw] : near) {
+            i[m] += w * p[m];
+            i[mv] += w * p[m] * p[v];
+            i[f] += p[m] * p[v] * w;
+        }
+    }
+};
+
+/// Sums on nodes and what particles, known by their masses, gather of them.
+template <int Dim, class Shape, class Lanes> auto there_and_back() {
+    scene<Dim, Shape, Lanes> s;
+    // By their places: the order of particles is that of storage.
+    for (auto p : s.body) {
+        const point<Dim, double> at = p[x];
+        p[m] = 1 + 0.5 * std::sin(31 * at[0] + 17 * at[Dim - 1]);
+        for (int d = 0; d < Dim; ++d) p[v][d] = std::sin(7 * at[0] + 3 * d);
+    }
+    s.sweeps.template scatter<fields<const field::mass, const field::velocity>,
+                              fields<field::mass, field::momentum, field::force>>(s.body, all_sums{});
+    std::vector<double> sums;
+    each_node(box<Dim>(), [&](const auto& index) {
+        sums.push_back(s.node(field::mass{}, index));
+        for (int d = 0; d < Dim; ++d) {
+            sums.push_back(s.node(field::momentum{}, index, d));
+            sums.push_back(s.node(field::force{}, index, d));
+        }
+    });
+    s.sweeps.template gather_each<fields<field::acceleration>, field::velocity>(
+        s.body, [&](auto& slot, auto, const auto&, const auto& g) {
+            slot.template get<field::velocity>() = g.sums.template get<field::acceleration>();
+            for (int d = 0; d < Dim; ++d)
+                slot.template get<field::velocity>()[d] += g.gradient(d, (d + 1) % Dim) + 2. * g.gradient(d, d);
+            return false;
+        });
+    std::map<double, point<Dim, double>> gathered;
+    for (const auto p : std::as_const(s.body)) gathered[p[m]] = p[v];
+    return std::pair(sums, gathered);
+}
+template <int Dim, class Lanes> void same_as_plain() {
+    constexpr int width = scene<Dim, quadratic_spline, Lanes>::S::width;
+    CAPTURE(Dim, width);
+    const auto plain = there_and_back<Dim, without_pivot, one_lane>();
+    const auto fast = there_and_back<Dim, quadratic_spline, Lanes>();
+    REQUIRE(plain.first.size() == fast.first.size());
+    double on_nodes = 0, on_particles = 0;
+    for (std::size_t k = 0; k < plain.first.size(); ++k)
+        on_nodes = std::max(on_nodes, std::abs(plain.first[k] - fast.first[k]));
+    for (const auto& [mass, value] : plain.second)
+        on_particles = std::max(on_particles, (value - fast.second.at(mass)).norm());
+    CHECK(on_nodes < 1e-13);
+    CHECK(on_particles < 1e-13);
+}
+
 }  // namespace
+
+TEST_CASE("sweeps: with a pivot and in lanes nodes and particles get what they get of every weight one by one") {
+    STATIC_REQUIRE(detail::pivot_of<quadratic_spline> == 1);
+    STATIC_REQUIRE(detail::pivot_of<without_pivot> == -1);
+    STATIC_REQUIRE(detail::pivot_of<linear> == -1);
+    STATIC_REQUIRE(detail::pivot_of<cubic_spline> == -1);
+    same_as_plain<1, native_lanes>();
+    same_as_plain<2, native_lanes>();
+    same_as_plain<3, native_lanes>();
+    same_as_plain<3, one_lane>();
+}
+
+TEST_CASE("sweeps: around a pivot a constant field is gathered exactly along a row") {
+    scene<1, quadratic_spline, native_lanes> s;
+    each_node(box<1>(), [&](const auto& index) { s.node(field::acceleration{}, index) = 0.1; });
+    s.sweeps.gather_each<fields<field::acceleration>, detail::no_field>(
+        s.body, [&](auto& slot, auto, const auto&, const auto& g) {
+            slot.template get<field::velocity>() = g.sums.template get<field::acceleration>();
+            return false;
+        });
+    // Beside walls ghost nodes have no value.
+    int inside = 0;
+    for (const auto p : std::as_const(s.body)) {
+        if (p[x][0] < 0.5 || p[x][0] > 20.5) continue;
+        ++inside;
+        CHECK(p[v][0] == 0.1);
+    }
+    CHECK(inside > 100);
+}
 
 TEST_CASE("sweeps: to nodes and back, mass, first moments, linear functions and slopes are kept") {
     transfers_are_complete<1, linear, native_lanes>();
