@@ -46,7 +46,7 @@ report_scene bi_material_report_scene() {
          {1, 2, 4},
          {0.05, 0.1, 0.2, 0.5},
          {50, 100, 200, 400, 800}});
-    add_admpm(all, {"moving", "held"}, 2, cells);
+    add_admpm(all, {"moving", "held"}, 2, cells, {0.1, 0.01});
     all.run = run_one;
     all.shown = [](const configuration& c) {
         return c.particles == "moving" && c.per_cell == 2 && c.order != 1 && c.order != 8 &&
