@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <type_traits>
 
 namespace tamis::stability {
 
@@ -49,12 +50,12 @@ template <class Matrix> class step_matrix {
 
 namespace detail {
 
-inline double largest_magnitude(const Eigen::MatrixXd& step) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> modes(step, false);
-    return modes.info() == Eigen::Success ? modes.eigenvalues().cwiseAbs().maxCoeff() : NAN;
-}
-inline double largest_magnitude(const Eigen::MatrixXcd& step) {
-    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> modes(step, false);
+// A template, so that eigenvalues are compiled only where they are asked for.
+template <class Scalar> double largest_magnitude(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& step) {
+    using matrix_type = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    const std::conditional_t<Eigen::NumTraits<Scalar>::IsComplex, Eigen::ComplexEigenSolver<matrix_type>,
+                             Eigen::EigenSolver<matrix_type>>
+        modes(step, false);
     return modes.info() == Eigen::Success ? modes.eigenvalues().cwiseAbs().maxCoeff() : NAN;
 }
 
@@ -64,7 +65,8 @@ inline double largest_magnitude(const Eigen::MatrixXcd& step) {
 template <class Step> double spectral_radius_of(const Step& step, double courant) {
     // The QR iteration does not always converge where eigenvalues of 1 fall together: nearby it does.
     for (int attempt = 0; attempt < 8; ++attempt) {
-        const double radius = detail::largest_magnitude(step(courant * (1 + 1e-7 * attempt)));
+        const auto matrix = step(courant * (1 + 1e-7 * attempt));
+        const double radius = detail::largest_magnitude<typename std::remove_const_t<decltype(matrix)>::Scalar>(matrix);
         if (std::isfinite(radius)) return radius;
     }
     throw error(tamis::detail::sentence("stability: the eigenvalues of a step at the Courant number ", courant,
