@@ -131,7 +131,7 @@ template <int Dim, class Shape, class Lanes> void transfers_are_complete() {
 
 /// The quadratic splines without a pivot: every node's weight is used.
 struct without_pivot {
-    static constexpr std::string_view name = "quadratic without pivot";
+    [[maybe_unused]] static constexpr std::string_view name = "quadratic without pivot";
     static constexpr int support = 3;
     static constexpr double shift = 0.5;
     template <class T> auto on_axis(const T& r) const { return quadratic_spline{}.on_axis(r); }
