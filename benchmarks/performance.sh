@@ -7,7 +7,7 @@ set -eu
 programs=$1
 page=$2
 shift 2
-all='roofline step_3d step_2d step_1d crossing scaling'
+all='roofline step_3d step_2d step_1d crossing memory scaling'
 new=$page.new
 tables=$programs/tables
 mkdir -p "$tables"
@@ -41,6 +41,7 @@ load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
             step_2d) echo '## 2D' ;;
             step_1d) echo '## 1D' ;;
             crossing) echo '## Particles that change cells' ;;
+            memory) echo '## Memory' ;;
             scaling) echo '## Threads' ;;
         esac
         echo
@@ -74,10 +75,15 @@ END
             crossing) cat << 'END'
 
 Lanes are what crossing costs: a tile has as many slots as its fullest lane, and particles that wander fill lanes
-unevenly. Of eight particles in a cell on average, the fullest of four lanes has ten: slots and tiles alone make the step
-1.25 times as long, in this block after a tenth of a cell (counted; its edges included, where tiles hang over). What is
-left is the mailbox, some 300 ns for each particle that crosses, and new tiles. The worst case is a jet of scattered
-single particles: one lane of each slot is in use, and a particle costs as much as W.
+unevenly: a step over slots alone is longer by the inverse of the occupancy. What is left is the mailbox, and new tiles.
+The worst case is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
+END
+            ;;
+            memory) cat << 'END'
+
+Peak of a process over the size of the fields of its particles and nodes: once the body is made, from a list of points,
+and after the steps. Particles that cross cells need more: tiles keep spare slots, letters lie beside them, and while tiles
+are tidied both copies exist.
 END
             ;;
             scaling) cat << 'END'

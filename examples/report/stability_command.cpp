@@ -22,14 +22,9 @@ struct stability_options {
     std::string out;
 };
 
-std::string fixed_number(double value) {
+std::string fixed_number(double value, int digits = 3) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.3f", value);
-    return text;
-}
-std::string two_digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f", value);
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
     return text;
 }
 std::string quoted(std::string text) {
@@ -73,7 +68,7 @@ std::string heat_map(const std::vector<map_row>& map, int per_cell, bool free_en
         const auto y = place(rows, r.shape + ", " + r.stress);
         const auto x = place(columns, r.update == "flip" ? "FLIP" : std::to_string(r.k));
         const double value = free_end ? r.free_end : r.inner;
-        data << x << ' ' << -y << ' ' << value << ' ' << two_digits(value) << '\n';
+        data << x << ' ' << -y << ' ' << value << ' ' << fixed_number(value, 2) << '\n';
     }
     std::ostringstream script;
     script << "unset key\nset xtics rotate by 0 (";
@@ -209,8 +204,8 @@ page stability_page(const std::vector<map_row>& map, const std::vector<run_check
          "In two and three dimensions waves along an axis decide, at the numbers of one dimension; checked wave by "
          "wave for linear and quadratic functions, with one exception (one particle per cell in 3D: 0.816 of it).",
          "Corners of free bodies in two and three dimensions have smaller numbers than the ends of a bar, by up to a "
-         "fifth "
-         "for squares of two cells and more than a quarter for cubes, the more the less compressible the body is "
+         "fifth for "
+         "squares of two cells and more than a quarter for cubes, the more the less compressible the body is "
          "(docs/stability.md).",
          "Own shapes and updates, explicit Euler, and exact mass matrices are not in the table: their limit is 1, "
          "which proves nothing."});

@@ -62,7 +62,7 @@ TEST_CASE("sparse: a body in a box of 1024^3 cells runs as in a small one, in pr
 
 #if defined(__GLIBC__)
 #include <malloc.h>
-TEST_CASE("sparse: particles that cross cells do not make what is allocated grow") {
+TEST_CASE("sparse: particles that cross cells do not make the heap or the storage grow") {
     const double h = 1. / 64;
     solver mpm{uniform_grid{{0., 0., 0.}, {1., 1., 1.}, h}, quadratic_spline{}, flip{}};
     const auto inside = [&](const place& at) { return at.minCoeff() > 4 * h && at.maxCoeff() < 20 * h; };
@@ -70,16 +70,29 @@ TEST_CASE("sparse: particles that cross cells do not make what is allocated grow
     std::mt19937 random(3);
     std::uniform_real_distribution<double> any(0.2, 0.5);
     for (auto p : block) p[v] = place(any(random), any(random), any(random));
-    // In MB, of what is in use: how much more the allocator keeps depends on what ran before.
-    const auto steps = [&](int count) {
+    struct {
+        double heap, in_use;  // MB: what the allocator keeps, and what of it is used
+        std::size_t slots;    // which are pages of their own
+    } now;
+    const auto step = [&](int count) {
         for (int n = 0; n < count; ++n) mpm.step(bodies(block), 0.2 * h);
         const auto heap = mallinfo2();
-        return static_cast<double>(heap.uordblks + heap.hblkhd) / 1e6;
+        now = {static_cast<double>(heap.arena + heap.hblkhd) / 1e6,
+               static_cast<double>(heap.uordblks + heap.hblkhd) / 1e6, block.store().slots.size()};
     };
+    step(40);
+    const auto early = now;
+    step(40);
     // By then the particles have spread over as many tiles as they ever will.
-    const double settled = steps(80);
+    const auto settled = now;
     const auto crossings = mpm.crossings();
-    for (int n = 0; n < 4; ++n) CHECK(steps(40) < 1.1 * settled);
+    for (int n = 0; n < 4; ++n) {
+        step(40);
+        CHECK(now.in_use < 1.1 * settled.in_use);
+        // Slots are tidied when there are half as many more than there were.
+        CHECK(static_cast<double>(now.slots) < 1.6 * static_cast<double>(settled.slots));
+        if (n < 2) CHECK(now.heap < 1.5 * early.heap + 8);
+    }
     CHECK(mpm.crossings() > crossings + 500000);
 }
 #endif

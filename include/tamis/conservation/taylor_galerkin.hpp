@@ -6,6 +6,7 @@
 #include <tamis/particles/reach.hpp>
 #include <tamis/solver/checks.hpp>
 #include <tamis/solver/kernels.hpp>
+#include <tamis/solver/reached_blocks.hpp>
 #include <tamis/solver/seeding.hpp>
 #include <tamis/solver/sweeps.hpp>
 
@@ -263,9 +264,9 @@ class taylor_galerkin {
     }
 
     void activate_nodes() {
-        detail::block_marks on;
-        detail::mark_all(std::tuple{&std::as_const(particles_.store())}, lattice_, on);
-        sweeps_.nodes().set_active(std::move(on.blocks));
+        detail::reached_blocks reached;
+        reached.mark({detail::tiles_of(particles_.store())}, lattice_);
+        sweeps_.nodes().set_active(reached.blocks());
     }
     void weigh_nodes() {
         sweeps_.template scatter<fields<const field::mass>, fields<field::mass>>(particles_, detail::mass_to_nodes{});

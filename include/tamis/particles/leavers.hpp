@@ -26,6 +26,11 @@ template <class Shape, class real> bool settle(real& r, int& cell, int bins) {
 /// Some slots of a tile, by their numbers in it; those from the 63rd on are told together.
 class some_slots {
   public:
+    static some_slots all() {
+        some_slots every;
+        every.bits_ = ~std::uint64_t(0);
+        return every;
+    }
     TAMIS_INLINE void add(std::uint32_t slot) { bits_ |= std::uint64_t(1) << std::min(slot, last); }
     TAMIS_INLINE bool any() const { return bits_ != 0; }
     bool has(std::uint32_t slot) const { return bits_ >> std::min(slot, last) & 1u; }

@@ -4,6 +4,7 @@
 #include <tamis/core/stamp.hpp>
 #include <tamis/core/values.hpp>
 #include <tamis/grid/lattice.hpp>
+#include <tamis/particles/mail.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -13,21 +14,14 @@
 
 namespace tamis::detail {
 
-/// Where a letter is: in which outbox, and its place there.
-struct letter_place {
-    std::uint32_t box, at;
-    static constexpr std::uint32_t none = ~0u;
-    bool is_none() const { return box == none; }
-};
-
 /// W neighbouring cells along x; lane l of each of its slots holds a particle of cell l, or is empty. A lane's
 /// particles are in the tile's first slots, without gaps: so the tile has as many slots as its fullest lane.
 struct tile {
-    std::array<int, 3> at;                       // block along x, cells along y and z
-    std::size_t node;                            // storage place of the first node that lane 0 reaches
-    std::uint32_t first, count;                  // slots in use
-    std::uint32_t room;                          // slots kept for it
-    letter_place letter{letter_place::none, 0};  // the first to be delivered
+    std::array<int, 3> at;            // block along x, cells along y and z
+    std::size_t node;                 // storage place of the first node that lane 0 reaches
+    std::uint32_t first, count;       // slots in use
+    std::uint32_t room;               // slots kept for it
+    letter_place letter = no_letter;  // the first to be delivered
     std::uint32_t letters = 0;
 };
 
@@ -42,13 +36,8 @@ template <class S, class List> class tile_store {
     static constexpr int D = S::dim, W = S::width, components = slot::components;
     static constexpr std::uint32_t full = W >= 32 ? ~0u : (1u << W) - 1u;
     static_assert(W <= 32 && sizeof(slot) == sizeof(real) * static_cast<std::size_t>(W * components));
-    struct letter {
-        real value[components];
-        std::array<int, 3> from, cell;  // cell[0] == outside: not in the grid; the place is relative to `from`
-        std::size_t origin;             // place in storage
-        letter() {}                     // written in place, whole
-    };
-    static constexpr int outside = -1;
+    using mail_type = mail<real, components>;
+    static constexpr int outside = mail_type::outside;
 
     std::vector<tile> tiles;
     std::vector<slot, aligned_allocator<slot>> slots;
@@ -105,10 +94,9 @@ template <class S, class List> class tile_store {
                                        const std::array<int, 3>& from_cell, const std::array<int, 3>& cell) {
         // The tile is looked for here, where it is near those that the processor has at hand.
         const bool inside = cell[0] != outside;
-        outboxes_[slab].addresses.push_back(
-            {inside ? std::as_const(tile_of_block_)[lattice.block_place({cell[0] / W, cell[1], cell[2]})] : 0,
-             static_cast<std::uint32_t>(inside ? cell[0] % W : 0), no_letter});
-        letter& to = outboxes_[slab].letters.emplace_back();
+        auto& to = mail_.write(
+            slab, inside ? std::as_const(tile_of_block_)[lattice.block_place({cell[0] / W, cell[1], cell[2]})] : 0,
+            static_cast<std::uint32_t>(inside ? cell[0] % W : 0));
         const real* from = lane_of(s, l);
         for (int c = 0; c < components; ++c) to.value[c] = from[c * W];
         to.from = from_cell;
@@ -119,37 +107,33 @@ template <class S, class List> class tile_store {
     /// Gives back the slots that a tile no longer needs, after it posted particles.
     void shrink(std::size_t slab, tile& t) {
         while (t.count > 0 && occupied[t.first + t.count - 1] == 0) --t.count;
-        if (t.count == 0) outboxes_[slab].emptied_a_tile = true;
+        if (t.count == 0) mail_.tell_emptied(slab);
     }
     /// Hands the letters of all outboxes, in their order, to the tiles. Returns how many there were. `left(letter)`
     /// decides about particles outside the grid: it gives their cell and place valid values, or returns false to remove
     /// them.
     template <class Lattice, class Left> std::size_t sort_mail(const Lattice& lattice, Left&& left) {
-        std::size_t handed = 0;
-        const bool others_wait = mail_ > 0;
+        emptied_ = mail_.take_emptied() || emptied_;
+        const bool others_wait = mail_.waits();
         got_letters_.clear();
-        for (std::uint32_t b = 0; b < outboxes_.size(); ++b) {
-            outbox& box = outboxes_[b];
-            emptied_ = std::exchange(box.emptied_a_tile, false) || emptied_;
-            for (; box.handed < box.letters.size(); ++box.handed) {
-                address& to = box.addresses[box.handed];
-                if (to.tile == 0) {
-                    letter& l = box.letters[box.handed];
-                    if (l.cell[0] == outside && !left(l)) {
-                        --count_;
-                        continue;
-                    }
-                    to.tile = tile_at(lattice, l.cell) + 1;
-                    to.lane = static_cast<std::uint32_t>(l.cell[0] % W);
+        const std::size_t handed = mail_.each_new([&](const letter_place& k) {
+            auto& to = mail_.address_of(k);
+            if (to.tile == 0) {
+                auto& letter = mail_.at(k);
+                if (letter.cell[0] == outside && !left(letter)) {
+                    --count_;
+                    return false;
                 }
-                tile& t = tiles[static_cast<std::size_t>(to.tile - 1)];
-                if (t.letter.is_none() || others_wait) got_letters_.push_back(static_cast<std::uint32_t>(to.tile - 1));
-                to.next = std::exchange(t.letter, {b, box.handed});
-                ++t.letters;
-                ++handed;
+                to.tile = tile_at(lattice, letter.cell) + 1;
+                to.lane = static_cast<std::uint32_t>(letter.cell[0] % W);
             }
-        }
-        mail_ += handed;
+            const auto index = static_cast<std::uint32_t>(to.tile - 1);
+            tile& t = tiles[index];
+            if (t.letter.is_none() || others_wait) got_letters_.push_back(index);
+            to.next = std::exchange(t.letter, k);
+            ++t.letters;
+            return true;
+        });
         // Slots are made here, not in `deliver`: that may run in several threads.
         for (const std::uint32_t index : got_letters_) {
             tile& t = tiles[index];
@@ -157,32 +141,25 @@ template <class S, class List> class tile_store {
             const std::uint32_t wanted = slots_with_letters(t);
             if (wanted > t.room) make_room(t, wanted + 1);
         }
-        if (mail_ == 0) mail_delivered();  // all were removed
+        if (!mail_.waits()) mail_.clear();  // all were removed
         return handed;
     }
-    bool has_mail() const { return mail_ > 0; }
+    bool has_mail() const { return mail_.waits(); }
     /// Puts a tile's letters in.
     void deliver(tile& t) {
         if (t.letter.is_none()) return;
-        for (letter_place k = std::exchange(t.letter, no_letter); !k.is_none(); k = address_of(k).next) {
-            const auto l = static_cast<int>(address_of(k).lane);
-            const real* const from = outboxes_[k.box].letters[k.at].value;
+        for (letter_place k = std::exchange(t.letter, no_letter); !k.is_none(); k = mail_.address_of(k).next) {
+            const auto l = static_cast<int>(mail_.address_of(k).lane);
+            const real* const from = mail_.at(k).value;
             real* const to = lane_of(free_slot(t, l), l);
             for (int c = 0; c < components; ++c) to[c * W] = from[c];
         }
         t.letters = 0;
     }
     /// To be called once every tile has had its letters.
-    void mail_delivered() {
-        mail_ = 0;
-        for (outbox& box : outboxes_) {
-            box.letters.clear();
-            box.addresses.clear();
-            box.handed = 0;
-        }
-    }
+    void mail_delivered() { mail_.clear(); }
     void deliver_all() {
-        if (mail_ == 0) return;
+        if (!mail_.waits()) return;
         for (tile& t : tiles) deliver(t);
         mail_delivered();
     }
@@ -197,12 +174,13 @@ template <class S, class List> class tile_store {
     }
     template <class Lattice> void sort(const Lattice& lattice, std::uint32_t spare) {
         deliver_all();
+        const auto room_of = [&](const tile& t) { return spare == 0 ? t.count : even(t.count + spare); };
         std::vector<std::size_t> order;
         std::size_t needed = 0;
         for (std::size_t k = 0; k < tiles.size(); ++k)
             if (tiles[k].count > 0) {
                 order.push_back(k);
-                needed += spare == 0 ? tiles[k].count : even(tiles[k].count + spare);
+                needed += room_of(tiles[k]);
             }
         std::sort(order.begin(), order.end(),
                   [&](std::size_t a, std::size_t b) { return tiles[a].node < tiles[b].node; });
@@ -221,7 +199,7 @@ template <class S, class List> class tile_store {
                 new_occupied.push_back(occupied[s]);
             }
             t.first = first;
-            t.room = spare == 0 ? t.count : even(t.count + spare);
+            t.room = room_of(t);
             for (std::uint32_t s = t.count; s < t.room; ++s) {
                 new_slots.emplace_back().set_zero();
                 new_occupied.push_back(0);
@@ -265,8 +243,7 @@ template <class S, class List> class tile_store {
             }
         } else
             slabs_.push_back(static_cast<std::uint32_t>(order_.size()));
-        // Not fewer: there may be letters in them.
-        outboxes_.resize(std::max(outboxes_.size(), slabs()));
+        mail_.have_boxes(slabs());
     }
     std::size_t slabs() const { return slabs_.size() - 1; }
     /// The tiles of slab k, in the order of their nodes.
@@ -291,27 +268,9 @@ template <class S, class List> class tile_store {
             f(order_[j], slots.data() + tiles[next].first);
         }
     }
-    /// Runs f(tile index) over the tiles of slab k, in the order of their nodes.
-    template <class F> TAMIS_INLINE void each_tile(std::size_t k, F&& f) const {
-        for (std::uint32_t j = slabs_[k]; j < slabs_[k + 1]; ++j) f(order_[j]);
-    }
 
   private:
-    /// Where a letter goes, apart from it: so that handing out letters reads little.
-    struct address {
-        int tile;  // from 1; 0: not known yet
-        std::uint32_t lane;
-        letter_place next;
-    };
-    static constexpr letter_place no_letter{letter_place::none, 0};
-    struct alignas(64) outbox {  // on cache lines of its own
-        std::vector<letter> letters;
-        std::vector<address> addresses;
-        std::uint32_t handed = 0;  // to their tiles
-        bool emptied_a_tile = false;
-    };
-    std::vector<outbox> outboxes_;  // one per slab: threads write without meeting
-    std::size_t mail_ = 0;          // letters to be delivered
+    mail_type mail_;  // an outbox for each slab
     std::vector<std::uint32_t> got_letters_;
     bool arranged_ = false, emptied_ = false;
     std::vector<std::uint32_t> order_, slabs_{0};
@@ -333,7 +292,6 @@ template <class S, class List> class tile_store {
         layout.renew();
         ground.renew();
     }
-    const address& address_of(const letter_place& k) const { return outboxes_[k.box].addresses[k.at]; }
     template <class Lattice> int tile_at(const Lattice& lattice, const std::array<int, 3>& cell) {
         const std::array<int, 3> at{cell[0] / W, cell[1], cell[2]};
         int& t = tile_of_block_[lattice.block_place(at)];
@@ -379,19 +337,19 @@ template <class S, class List> class tile_store {
     std::uint32_t slots_with_letters(const tile& t) const {
         std::array<std::uint32_t, static_cast<std::size_t>(W)> in{};
         for (int l = 0; l < W; ++l) in[static_cast<std::size_t>(l)] = in_lane(t, l);
-        for (letter_place k = t.letter; !k.is_none(); k = address_of(k).next) ++in[address_of(k).lane];
+        for (letter_place k = t.letter; !k.is_none(); k = mail_.address_of(k).next) ++in[mail_.address_of(k).lane];
         return std::max(t.count, *std::max_element(in.begin(), in.end()));
     }
     /// Moves the tile's slots to where there is more room: where another tile was, or to the end.
     void make_room(tile& t, std::uint32_t least) {
         std::uint32_t room = even(least);
         auto first = static_cast<std::uint32_t>(slots.size());
-        for (std::uint32_t k = room; k < room + 4 && k < left_.size(); ++k)
-            if (!left_[k].empty()) {
-                room = k;
-                break;
-            }
-        if (room < left_.size() && !left_[room].empty()) {
+        // A little larger will do.
+        const std::size_t end = std::min<std::size_t>(left_.size(), room + 4);
+        std::uint32_t found = room;
+        while (found < end && left_[found].empty()) ++found;
+        if (found < end) {
+            room = found;
             first = left_[room].back();
             left_[room].pop_back();
         } else {

@@ -1,15 +1,11 @@
 #pragma once
 #include <tamis/core/error.hpp>
-#include <tamis/core/memory.hpp>
-#include <tamis/grid/wrap.hpp>
 #include <tamis/particles/body.hpp>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
-#include <span>
-#include <tuple>
-#include <vector>
+#include <cstddef>
+#include <string>
 
 namespace tamis::detail {
 
@@ -57,55 +53,6 @@ template <class Body, class Grid> void check_particles(const Body& b, const Grid
         }
         ++k;
     }
-}
-
-/// Which blocks of W nodes particles reach: a mark for each block of the grid, and a list of those marked, ascending.
-struct block_marks {
-    zeros<char> reached;
-    std::vector<std::uint32_t> blocks;
-    std::size_t width = 1;
-    /// Of each body: the order of its tiles that was looked at, and how many of them.
-    struct part {
-        std::uint64_t ground;
-        std::size_t tiles;
-    };
-    std::vector<part> parts;
-
-    block_marks() = default;
-    block_marks(std::size_t nodes, int w)
-        : reached(nodes / static_cast<std::size_t>(w) + 2), width(static_cast<std::size_t>(w)) {}
-};
-template <class Lattice> void mark_reached(std::span<const tile> tiles, const Lattice& lattice, block_marks& on) {
-    const auto mark = [&](std::size_t block) {
-        if (!std::exchange(on.reached[block], char(1))) on.blocks.push_back(static_cast<std::uint32_t>(block));
-    };
-    for (const tile& t : tiles)
-        for (int r = 0; r < Lattice::rows; ++r) {
-            const std::size_t first = (t.node + lattice.row_offset(r)) / on.width;
-            for (std::size_t k = 0; k <= (on.width + Lattice::N - 2) / on.width; ++k) mark(first + k);
-        }
-    reach_images(
-        lattice, [&](std::size_t place) { return on.reached[place / on.width] != 0; },
-        [&](std::size_t place) { mark(place / on.width); });
-}
-/// The blocks that the tiles of some stores reach. Where tiles have only been added since they were marked, those are.
-template <class Lattice, class... Store>
-void mark_all(const std::tuple<const Store*...>& stores, const Lattice& lattice, block_marks& on) {
-    const auto each = [&](auto f) {
-        std::size_t k = 0;
-        std::apply([&](const auto*... store) { (f(k++, *store), ...); }, stores);
-    };
-    bool grown = on.parts.size() == sizeof...(Store);
-    each([&](std::size_t k, const auto& store) { grown = grown && on.parts[k].ground == store.ground.number(); });
-    if (!grown) on = block_marks(lattice.size(), Lattice::W);
-    on.parts.resize(sizeof...(Store), {0, 0});
-    const auto known = static_cast<std::ptrdiff_t>(on.blocks.size());
-    each([&](std::size_t k, const auto& store) {
-        mark_reached(std::span<const tile>(store.tiles).subspan(on.parts[k].tiles), lattice, on);
-        on.parts[k] = {store.ground.number(), store.tiles.size()};
-    });
-    std::sort(on.blocks.begin() + known, on.blocks.end());
-    std::inplace_merge(on.blocks.begin(), on.blocks.begin() + known, on.blocks.end());
 }
 
 }  // namespace tamis::detail

@@ -116,16 +116,14 @@ template <std::size_t Count> consteval bool each_role_once(const std::array<role
             if (roles[j] == roles[k]) return false;
     return true;
 }
-/// The policies that a solver was given, in their order. A std::tuple of them takes longer to compile than a step.
-template <class... P> struct by_address { const void* at[sizeof...(P) + 1]; };
-/// The policy at a place, or the default if that is -1.
+/// The policy at a place of those given, or the default if that is -1.
 template <int Place, class Default, class... P> struct pick {
     using type = std::tuple_element_t<static_cast<std::size_t>(Place), std::tuple<P...>>;
-    static const type& of(const by_address<P...>& all) { return *static_cast<const type*>(all.at[Place]); }
+    static const type& of(const std::tuple<const P&...>& all) { return std::get<static_cast<std::size_t>(Place)>(all); }
 };
 template <class Default, class... P> struct pick<-1, Default, P...> {
     using type = Default;
-    static Default of(const by_address<P...>&) { return Default{}; }
+    static Default of(const std::tuple<const P&...>&) { return Default{}; }
 };
 
 template <class P, class Point> struct is_policy {

@@ -45,15 +45,15 @@ template <class Solver, class... Body> struct passes {
         each_of(all, [&](auto& b) { f(b, mpm.field_of(k++).sweeps); });
     }
     template <class F> void each_held(F f) {
-        for (auto& field : mpm.velocity_fields()) f(field.held, field.sweeps.nodes());
+        for (auto& field : mpm.fields_) f(field.held, field.sweeps.nodes());
     }
     template <class... F, class Kernel> void nodes(fields<F...> list, Kernel kernel) {
-        for (auto& field : mpm.velocity_fields()) field.sweeps.each_node(list, kernel);
+        for (auto& field : mpm.fields_) field.sweeps.each_node(list, kernel);
     }
     /// The same with the kernel's own list.
     template <class Kernel> void nodes(Kernel kernel) { nodes(typename Kernel::list{}, kernel); }
     template <class... F> void set_zero() {
-        for (auto& field : mpm.velocity_fields()) field.sweeps.template set_zero<F...>();
+        for (auto& field : mpm.fields_) field.sweeps.template set_zero<F...>();
     }
 
     // Momentum, force and velocity, with what conditions and contact do to them.
@@ -77,7 +77,15 @@ template <class Solver, class... Body> struct passes {
     }
     /// Sums of particles at the two places of a node at a periodic wall are one.
     template <class... F> void wrap(fields<F...> list) {
-        for (auto& field : mpm.velocity_fields()) detail::wrap(mpm.lattice_, field.sweeps.nodes(), list);
+        for (auto& field : mpm.fields_) detail::wrap(mpm.lattice_, field.sweeps.nodes(), list);
+    }
+    /// Masses alone, where the particles are now.
+    void sum_masses() {
+        set_zero<field::mass>();
+        each_body([](auto& b, auto& sweeps) {
+            sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(b, mass_to_nodes{});
+        });
+        wrap(fields<field::mass>{});
     }
     /// The momentum of the step's start.
     void start(double t) {
@@ -92,7 +100,7 @@ template <class Solver, class... Body> struct passes {
     template <bool HoldsVelocity> void constrain_forces(double t) {
         if constexpr (C::kinds::on_nodes)
             damp<T, node_state<HoldsVelocity, C::moves>>(mpm.load_, mpm.time_, to_double(dt_), [&](auto f) {
-                for (auto& field : mpm.velocity_fields()) f(field.sweeps);
+                for (auto& field : mpm.fields_) f(field.sweeps);
             });
         if constexpr (C::own_velocities)
             if (acts_on_momentum) mpm.contact_.template forces<HoldsVelocity>(tables(), dt_);
@@ -135,7 +143,7 @@ template <class Solver, class... Body> struct passes {
                         [&](auto& held, auto& table) { held.template impose_velocity<To>(table, inverse_dt, felt); });
                 }
         } else {
-            const held_by how = mpm.field_.held.how();
+            const held_by how = mpm.fields_[0].held.how();
             if (on_lumped(how)) each_held([](auto& held, auto& table) { held.remember(table); });
             mass.template filter<To>(felt, *this);
             if (how == held_by::increments || how == held_by::lumped) return;
@@ -170,7 +178,7 @@ template <class Solver, class... Body> struct passes {
     double increment_size() {
         using kernel = increment_square<S>;
         std::array<double, 2> sums{};
-        for (auto& field : mpm.velocity_fields()) {
+        for (auto& field : mpm.fields_) {
             const auto part = field.sweeps.template sum_over_nodes<2>(typename kernel::list{}, kernel{});
             for (std::size_t k = 0; k < 2; ++k) sums[k] += to_double(part[k]);
         }
@@ -185,7 +193,7 @@ template <class Solver, class... Body> struct passes {
         each_body([&](auto& b, auto& sweeps) { sweeps.each_weight_pair(b, f); });
     }
     template <class Field, class F> void each_column(Field, F f) {
-        for (auto& field : mpm.velocity_fields())
+        for (auto& field : mpm.fields_)
             for (int c = 0; c < Field::template components<S>; ++c)
                 field.sweeps.nodes().template with_column<Field>(c, f);
     }
@@ -226,7 +234,7 @@ template <class Solver, class... Body> struct passes {
     }
     /// sum A^l m^-1 of the unit vector of the node at a place, per place.
     std::vector<real> inverse_column(std::size_t at) {
-        auto& table = mpm.field_.sweeps.nodes();
+        auto& table = mpm.fields_[0].sweeps.nodes();
         std::vector<real> sum(mpm.lattice_.size(), real(0));
         set_zero<field::increment>();
         table.template at<field::increment>(at) = table.template at<field::inverse_mass>(at);
@@ -263,8 +271,7 @@ template <class Solver, class... Body> struct passes {
             });
             mpm.bands_made_for_ = mpm.weights_.number();
         }
-        for (auto& field : mpm.velocity_fields())
-            field.sweeps.template multiply_by_bands<band, field::increment, field::image>();
+        for (auto& field : mpm.fields_) field.sweeps.template multiply_by_bands<band, field::increment, field::image>();
     }
     template <class Gradient, bool Strains, class B, class Sweeps>
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {
@@ -330,8 +337,8 @@ template <class Solver, class... Body> struct passes {
         mass.template series<To>(felt, *this);
     }
     void find_columns() {
-        auto& held = mpm.field_.held;
-        auto& table = mpm.field_.sweeps.nodes();
+        auto& held = mpm.fields_[0].held;
+        auto& table = mpm.fields_[0].sweeps.nodes();
         for (int batch = 0, n = held.batches(); batch < n; ++batch) {
             set_zero<field::increment>();
             held.template start_columns<field::increment>(table, batch);

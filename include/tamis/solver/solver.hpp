@@ -9,15 +9,17 @@
 #include <tamis/solver/passes.hpp>
 #include <tamis/solver/seeding.hpp>
 #include <tamis/solver/sweeps.hpp>
+#include <tamis/solver/velocity_field.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <limits>
-#include <memory>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,7 +43,7 @@ template <class Grid, class... Policies> class solver {
         body<S, typename C::shape, L, merge<typename C::step_fields, on_particles_t<L>, fields<Extra...>>>;
 
     explicit solver(const Grid& grid, const Policies&... policies)
-        : solver(grid, detail::by_address<Policies...>{{&policies..., nullptr}}) {}
+        : solver(grid, std::tuple<const Policies&...>(policies...)) {}
     solver(const solver&) = delete;
     solver& operator=(const solver&) = delete;
 
@@ -57,7 +59,7 @@ template <class Grid, class... Policies> class solver {
         steps_ = 0;
         crossings_ = 0;
         ahead_.used = 0;
-        for (auto& field : velocity_fields()) field.held.restart();
+        for (auto& field : fields_) field.held.restart();
         if constexpr (C::own_velocities) contact_.restart();
         detail::restart_loads(load_);
     }
@@ -67,18 +69,17 @@ template <class Grid, class... Policies> class solver {
     }
     /// Nodes that conditions hold, with the reactions of the last step.
     auto reactions() const {
-        auto all = field_.held.reactions();
-        if constexpr (C::own_velocities)
-            for (const auto& other : further_) {
-                const auto more = other->held.reactions();
-                for (std::size_t k = 0; k < all.size(); ++k) all[k].reaction += more[k].reaction;
-            }
+        auto all = fields_[0].held.reactions();
+        for (std::size_t f = 1; f < fields_.size(); ++f) {
+            const auto more = fields_[f].held.reactions();
+            for (std::size_t k = 0; k < all.size(); ++k) all[k].reaction += more[k].reaction;
+        }
         return all;
     }
     /// Work of the conditions since the start (J).
     double boundary_work() const {
         double work = 0;
-        for (const auto& field : velocity_fields()) work += field.held.work();
+        for (const auto& field : fields_) work += field.held.work();
         return work;
     }
     /// Nodes where bodies with velocities of their own touched in the last step.
@@ -93,7 +94,7 @@ template <class Grid, class... Policies> class solver {
     template <class F> point<dim, real> on_node(F, const std::array<int, 3>& node) const {
         static_assert(stores<typename C::node_fields, F> && F::template components<S> == dim,
                       "tamis: the composition has no such vector field on its nodes; ask for it by read_out<F>{}");
-        return field_.sweeps.nodes().template get<F>(lattice_.place_of_node(node));
+        return fields_[0].sweeps.nodes().template get<F>(lattice_.place_of_node(node));
     }
     /// Column of the full mass matrix's inverse by the composed number of terms, that of node (i, j, k), where the
     /// particles are now and without conditions (1/kg); per node of the grid, i fastest. Its sum over columns times m
@@ -106,11 +107,7 @@ template <class Grid, class... Policies> class solver {
         prepare(all);
         detail::passes<solver, Body...> now{*this, all, real(1)};
         if constexpr (C::moves) {
-            now.template set_zero<field::mass>();
-            now.each_body([](auto& b, auto& sweeps) {
-                sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(b, detail::mass_to_nodes{});
-            });
-            now.wrap(fields<field::mass>{});
+            now.sum_masses();
             now.nodes(detail::invert_mass{});
         }
         const std::vector<real> places = now.inverse_column(place);
@@ -125,28 +122,9 @@ template <class Grid, class... Policies> class solver {
     /// infinity if there is none. Such nodes bound the time step at free ends (docs/stability.md).
     template <class... Body> double lightest_free_node(std::tuple<Body&...> all) {
         prepare(all);
-        if constexpr (C::moves) {
-            detail::passes<solver, Body...> now{*this, all, real(1)};
-            now.template set_zero<field::mass>();
-            now.each_body([](auto& b, auto& sweeps) {
-                sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(b, detail::mass_to_nodes{});
-            });
-            now.wrap(fields<field::mass>{});
-        }
+        if constexpr (C::moves) detail::passes<solver, Body...>{*this, all, real(1)}.sum_masses();
         double lightest = std::numeric_limits<double>::infinity();
-        for (const auto& field : velocity_fields()) {
-            const std::vector<std::size_t> held = field.held.places();
-            const auto& nodes = field.sweeps.nodes();
-            for (const std::uint32_t block : nodes.active())
-                for (std::size_t place = block * std::size_t(S::width); place < (block + 1) * std::size_t(S::width);
-                     ++place) {
-                    const double there = detail::to_double(nodes.template at<field::mass>(place));
-                    if (!(there > 0)) continue;
-                    // Held particles' nodes keep 1/m.
-                    const double mass = C::moves ? there : 1 / there;
-                    if (mass < lightest && !std::binary_search(held.begin(), held.end(), place)) lightest = mass;
-                }
-        }
+        for (const auto& field : fields_) lightest = std::min(lightest, field.lightest_free_node());
         return lightest;
     }
     /// What `integrate` warned of, each once.
@@ -277,19 +255,13 @@ template <class Grid, class... Policies> class solver {
     }
 
   private:
-    using sweeps_type = detail::sweeps<S, typename C::shape, typename C::node_fields, typename C::execution, C::moves>;
-    using lattice_type = typename sweeps_type::lattice_type;
-    using held_type =
-        detail::held_nodes<S, typename C::shape, typename C::boundary, typename C::method, typename C::sums>;
+    using velocity_field = detail::velocity_field<C>;
+    using sweeps_type = typename velocity_field::sweeps_type;
+    using lattice_type = typename velocity_field::lattice_type;
+    using held_type = typename velocity_field::held_type;
+    using fields_type =
+        std::conditional_t<C::own_velocities, std::deque<velocity_field>, std::array<velocity_field, 1>>;
     using contact_type = typename detail::contact_of<S, typename C::shape, typename C::touch>::type;
-    /// Nodes with one velocity each: the passes over them, and the conditions that hold them.
-    struct velocity_field {
-        sweeps_type sweeps;
-        held_type held;
-        detail::block_marks marks;
-        explicit velocity_field(const solver& of)
-            : sweeps(of.shape_, of.lattice_, of.run_), held(of.boundary_, of.lattice_, of.method_) {}
-    };
     template <class, class...> friend struct detail::passes;
     template <class Body> static constexpr bool serves = std::same_as<typename Body::lattice_type, lattice_type>&&
         std::same_as<merge<typename Body::field_list, typename C::step_fields>, typename Body::field_list>;
@@ -300,9 +272,7 @@ template <class Grid, class... Policies> class solver {
     lattice_type lattice_;
     typename C::boundary boundary_;
     [[no_unique_address]] typename C::method method_;
-    velocity_field field_;
-    // Of the second body, the third, ... where each has its own.
-    std::vector<std::unique_ptr<velocity_field>> further_;
+    fields_type fields_;  // one for all bodies, or one for each
     contact_type contact_;
     double start_ = 0, previous_ = 0, time_ = 0;  // of the run, of the last step's start, now
     long steps_ = 0;
@@ -322,7 +292,7 @@ template <class Grid, class... Policies> class solver {
     } ahead_;
 
     template <detail::role R, class Default> using by_role = typename C::template by_role<R, Default>;
-    solver(const Grid& grid, const detail::by_address<Policies...>& all)
+    solver(const Grid& grid, const std::tuple<const Policies&...>& all)
         : shape_(by_role<detail::role::shape, quadratic_spline>::of(all)),
           transfer_(by_role<detail::role::transfer, flip>::of(all)),
           load_(by_role<detail::role::load, unloaded>::of(all)),
@@ -330,7 +300,7 @@ template <class Grid, class... Policies> class solver {
           lattice_(grid),
           boundary_(by_role<detail::role::boundary, unbounded>::of(all)),
           method_(picked_method(all)),
-          field_(*this),
+          fields_(first_field()),
           contact_(by_role<detail::role::contact, one_velocity>::of(all), lattice_) {
         if ((held_type::any || C::own_velocities || C::exact) && detail::any_axis_wraps(lattice_))
             throw error(
@@ -338,42 +308,24 @@ template <class Grid, class... Policies> class solver {
                 "matrix; leave the conditions or the contact out, or do not wrap the grid");
     }
 
-    static auto picked_method(const detail::by_address<Policies...>& all) {
+    static auto picked_method(const std::tuple<const Policies&...>& all) {
         if constexpr (C::exact)
             return typename C::method{};
         else
             return by_role<detail::role::boundary_method, boundary_method::incremental>::of(all);
     }
-    velocity_field& field_of(std::size_t body) {
-        if constexpr (C::own_velocities)
-            return body == 0 ? field_ : *further_[body - 1];
-        else
-            return field_;
+    void add_field(std::deque<velocity_field>& to) const {
+        to.emplace_back(shape_, lattice_, run_, boundary_, method_);
     }
-    const velocity_field& field_of(std::size_t body) const { return const_cast<solver*>(this)->field_of(body); }
-    /// All velocity fields, for loops: a range over what field_of gives.
-    template <class Solver> struct field_range {
-        struct iterator {
-            Solver* of;
-            std::size_t k;
-            auto& operator*() const { return of->field_of(k); }
-            iterator& operator++() {
-                ++k;
-                return *this;
-            }
-            bool operator!=(const iterator& other) const { return k != other.k; }
-        };
-        Solver* of;
-        iterator begin() const { return {of, 0}; }
-        iterator end() const {
-            if constexpr (C::own_velocities)
-                return {of, of->further_.size() + 1};
-            else
-                return {of, 1};
-        }
-    };
-    field_range<solver> velocity_fields() { return {this}; }
-    field_range<const solver> velocity_fields() const { return {this}; }
+    fields_type first_field() const {
+        if constexpr (C::own_velocities) {
+            fields_type all;
+            add_field(all);
+            return all;
+        } else
+            return {velocity_field(shape_, lattice_, run_, boundary_, method_)};
+    }
+    velocity_field& field_of(std::size_t body) { return fields_[C::own_velocities ? body : 0]; }
 
     /// Were the step's sums over particles made by the step before, and are they still those of the body?
     template <class... Body> bool sums_are_made(std::tuple<Body&...>& all) {
@@ -417,22 +369,14 @@ template <class Grid, class... Policies> class solver {
         }
         each([&](auto& b) { b.store().template arrange<lattice_type::N>(); });
         if constexpr (C::own_velocities)
-            while (further_.size() + 1 < sizeof...(Body)) further_.push_back(std::make_unique<velocity_field>(*this));
-        for (std::size_t f = 0; f < (C::own_velocities ? further_.size() + 1 : 1); ++f) {
-            auto& field = field_of(f);
-            auto& on = field.marks;
-            if constexpr (C::own_velocities) {
-                std::size_t body = 0;
-                if (f >= sizeof...(Body)) on = detail::block_marks(lattice_.size(), S::width);
-                each([&](auto& b) {
-                    if (body++ == f) detail::mark_all(std::tuple{&std::as_const(b.store())}, lattice_, on);
-                });
-            } else
-                std::apply(
-                    [&](auto&... b) { detail::mark_all(std::tuple{&std::as_const(b.store())...}, lattice_, on); }, all);
-            field.sweeps.nodes().set_active(on.blocks);
-            field.held.attend({on.reached.data(), on.reached.size()});
-            if constexpr (!C::moves) field.sweeps.nodes().template set_zero<field::mass>();
+            while (fields_.size() < sizeof...(Body)) add_field(fields_);
+        for (std::size_t f = 0; f < fields_.size(); ++f) {
+            std::vector<detail::placed_tiles> tiles;
+            std::size_t body = 0;
+            each([&](auto& b) {
+                if (!C::own_velocities || body++ == f) tiles.push_back(detail::tiles_of(b.store()));
+            });
+            fields_[f].attend(tiles, lattice_);
         }
         if constexpr (!C::moves) {
             std::size_t body = 0;
@@ -440,11 +384,7 @@ template <class Grid, class... Policies> class solver {
                 field_of(body++).sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(
                     b, detail::mass_to_nodes{});
             });
-            for (auto& field : velocity_fields()) {
-                detail::wrap(lattice_, field.sweeps.nodes(), fields<field::mass>{});
-                field.held.take_masses(field.sweeps.nodes());
-                field.sweeps.each_node(detail::invert_mass::list{}, detail::invert_mass{});
-            }
+            for (auto& field : fields_) field.keep_masses(lattice_);
         }
         weights_.renew();
         // Last: what threw is looked at again.

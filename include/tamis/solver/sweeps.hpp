@@ -338,7 +338,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             const nodes_around<S, Shape, typename with_gradient<Sums, Gradient>::type> around(lattice, columns, place);
             sums_type sums[N];
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
-            some_slots left;
+            auto stay = T(real(0)) >= T(real(0));
             for (std::uint32_t s = first; s < last; ++s) {
                 auto& slot = slots[s];
                 stencil<S, N> st;
@@ -347,8 +347,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 gather<Gradient>(around, st, g);
                 kernel(slot, occupied[s], at, g);
                 if (occupied[s] != Store::full) clear_empty(slot);
-                if constexpr (Moves)
-                    if (weigh.may_have_left(slot)) left.add(s - first);
+                if constexpr (Moves) stay = stay & weigh.stays(slot);
                 if (!ahead) continue;
                 if constexpr (Moves) weigh(st, slot);
                 const auto made = give.make(slot, at);
@@ -360,9 +359,10 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 });
             }
             if (ahead) row.add(sums, columns, place);
+            // A tile has few slots here: which of them are left is not worth a jump in each.
             if constexpr (Moves)
-                if (left.any()) [[unlikely]]
-                    some_left = post_leavers(store, lattice_, k, j, left) || some_left;
+                if (lane<T>::any(!stay)) [[unlikely]]
+                    some_left = post_leavers(store, lattice_, k, j, some_slots::all()) || some_left;
         }
         row_out = row;
         return some_left;

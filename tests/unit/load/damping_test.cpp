@@ -30,11 +30,6 @@ TEMPLATE_TEST_CASE("damping: a flight slows by alpha dt in every step, in every 
                    usavg_minus, euler) {
     const place start(0.5, 0.25), slower = start * std::pow(1 - 0.125 * 0.8, 3);
     CHECK((flight(3, grid_damping{0.8}, TestType{}) - slower).norm() < 1e-14);
-}
-
-TEMPLATE_TEST_CASE("damping: ... by nodes, by particles, or by several, whatever the mass matrix and the motion", "",
-                   usf, usl_minus) {
-    const place start(0.5, 0.25), slower = start * std::pow(1 - 0.125 * 0.8, 3);
     CHECK((flight(3, particle_damping{0.8}, TestType{}) - slower).norm() < 1e-14);
     CHECK((flight(3, fmpm<2>{}, grid_damping{0.8}, TestType{}) - slower).norm() < 1e-14);
     CHECK((flight(3, grid_damping{0.8}, held{}, TestType{}) - slower).norm() < 1e-14);

@@ -66,11 +66,10 @@ template <int D, class Lanes> void pushes_a_side() {
 
 }  // namespace
 
-TEST_CASE("traction: it pushes the side it names, in all dimensions") {
-    pushes_a_side<1, native_lanes>();
-    pushes_a_side<2, native_lanes>();
-    pushes_a_side<3, native_lanes>();
-    pushes_a_side<2, one_lane>();
+TEMPLATE_TEST_CASE("traction: it pushes the side it names, in all dimensions", "", one_lane, native_lanes) {
+    pushes_a_side<1, TestType>();
+    pushes_a_side<2, TestType>();
+    pushes_a_side<3, TestType>();
 }
 
 TEST_CASE("traction: pressure on the whole surface of any body adds up to nothing, and squeezes it") {

@@ -71,7 +71,7 @@ template <int Dim, class T> struct world {
     void move_some(int odds) {
         store.template arrange<2>();
         for (std::size_t slab = 0; slab < store.slabs(); ++slab)
-            store.each_tile(slab, [&](std::size_t k) {
+            for (const std::uint32_t k : store.row(slab)) {
                 each_particle_of(store.tiles[k], [&](std::uint32_t s, int l, const cell_index& from) {
                     if (any(odds) != 0) return;
                     cell_index to = any_cell();
@@ -86,7 +86,7 @@ template <int Dim, class T> struct world {
                     store.post(lattice, slab, store.tiles[k], s, l, from, to);
                 });
                 store.shrink(slab, store.tiles[k]);
-            });
+            }
         store.sort_mail(lattice, [](auto& letter) {
             if (static_cast<int>(letter.value[slot::template first<field::mass>()]) % 2 != 0) return false;
             letter.cell = {0, 0, 0};
@@ -202,10 +202,10 @@ template <int Dim, class T, class Shape> void slabs_are_apart(const uniform_grid
     std::set<std::size_t> seen;
     std::vector<std::set<std::size_t>> places(store.slabs());
     for (std::size_t k = 0; k < store.slabs(); ++k)
-        store.each_tile(k, [&](std::size_t j) {
+        for (const std::uint32_t j : store.row(k)) {
             CHECK(seen.insert(j).second);
             for (const std::size_t place : reached(lattice, store.tiles[j])) places[k].insert(place);
-        });
+        }
     CHECK(seen.size() == store.tiles.size());
     for (std::size_t a = 0; a < places.size(); ++a)
         for (std::size_t b = a + 2; b < places.size(); b += 2) {
