@@ -1,7 +1,7 @@
 #!/bin/sh
 # performance.sh DIRECTORY FILE [TABLE...]: runs the speed benchmarks of a build and writes their tables to FILE, whole
 # or not at all. Tables are kept in DIRECTORY/tables; with names of tables only those are measured anew, for machines
-# that are quiet for a minute at a time. `cmake --build build/default --target performance` measures all: some ten
+# that are quiet for a minute at a time. `cmake --build build/default --target performance` measures all: some two
 # minutes; leave the machine alone meanwhile.
 set -eu
 programs=$1
