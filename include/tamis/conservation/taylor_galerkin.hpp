@@ -132,7 +132,7 @@ class taylor_galerkin {
             each_node(detail::first_term<T, count>{T(dt)});
             hold_change(end);
             pass series{*this, end};
-            detail::add_series<change, term, rate>(mass_.terms(), true, series);
+            detail::add_series<change, term, term, rate>(mass_.terms(), true, series);
             each_node(detail::add_change<count>{});
         } else {
             each_node(detail::add_rate<T, count>{T(dt)});
@@ -216,12 +216,13 @@ class taylor_galerkin {
         taylor_galerkin& of;
         double end;
         template <class Kernel> void nodes(Kernel kernel) { of.each_node(kernel); }
-        void spread_increment() {
+        template <class From> void spread_increment() {
             of.sweeps_.nodes().template set_zero<rate>();
-            of.sweeps_.template scatter_gathered<fields<const field::mass>, fields<term>, fields<rate>>(
+            of.sweeps_.template scatter_gathered<fields<const field::mass>, fields<From>, fields<rate>>(
                 of.particles_, detail::spread_term<count>{});
             detail::wrap(of.lattice_, of.sweeps_.nodes(), fields<rate>{});
         }
+        void image_is_zero() {}
         template <class> void hold_increment(bool) { of.hold_change(end); }
     };
 

@@ -70,7 +70,7 @@ template <class S, class List> class tile_store {
             needed += tiles[t].room;
             tile_of_block_[lattice.block_place(tiles[t].at)] = static_cast<int>(t + 1);
         }
-        slots.reserve(slots_before_tidy(needed));
+        slots.reserve(with_growth(needed));
         slots.resize(needed);
         for (slot& s : slots) s.set_zero();
         occupied.assign(needed, 0);
@@ -134,13 +134,7 @@ template <class S, class List> class tile_store {
             ++t.letters;
             return true;
         });
-        // Slots are made here, not in `deliver`: that may run in several threads.
-        for (const std::uint32_t index : got_letters_) {
-            tile& t = tiles[index];
-            if (t.count + t.letters <= t.room) continue;
-            const std::uint32_t wanted = slots_with_letters(t);
-            if (wanted > t.room) make_room(t, wanted + 1);
-        }
+        make_rooms_for_letters(lattice);
         if (!mail_.waits()) mail_.clear();  // all were removed
         return handed;
     }
@@ -163,22 +157,24 @@ template <class S, class List> class tile_store {
         for (tile& t : tiles) deliver(t);
         mail_delivered();
     }
-    /// Tiles in the order of their nodes, slots without gaps, when new or empty tiles or gaps have become many.
+    /// Tiles in the order of their nodes, slots without gaps, when new or empty tiles have become many.
     template <class Lattice> void tidy(const Lattice& lattice) {
         std::size_t empty = 0;
         if (std::exchange(emptied_, false))
             for (const tile& t : tiles) empty += t.count == 0 && t.letter.is_none() ? 1 : 0;
-        if (empty > tiles.size() / 4 + 1 || tiles.size() > sorted_ + sorted_ / 8 + 16 ||
-            slots.size() > slots_before_tidy(tidied_))
-            sort(lattice, 2);
+        if (empty > tiles.size() / 4 + 1 || tiles.size() > sorted_ + sorted_ / 8 + 16) sort(lattice, 2);
     }
+    /// ... at once, with so many spare slots for each tile, or half as many as it has, whichever is more: tiles that
+    /// need more room go where the processor does not guess them. 0: none. Letters go on waiting, and find room.
     template <class Lattice> void sort(const Lattice& lattice, std::uint32_t spare) {
-        deliver_all();
-        const auto room_of = [&](const tile& t) { return spare == 0 ? t.count : even(t.count + spare); };
+        const auto room_of = [&](const tile& t) {
+            const std::uint32_t wanted = slots_with_letters(t);
+            return spare == 0 ? wanted : even(wanted + std::max(spare, wanted / 2));
+        };
         std::vector<std::size_t> order;
         std::size_t needed = 0;
         for (std::size_t k = 0; k < tiles.size(); ++k)
-            if (tiles[k].count > 0) {
+            if (tiles[k].count > 0 || !tiles[k].letter.is_none()) {
                 order.push_back(k);
                 needed += room_of(tiles[k]);
             }
@@ -188,7 +184,7 @@ template <class S, class List> class tile_store {
         std::vector<slot, aligned_allocator<slot>> new_slots;
         std::vector<std::uint32_t> new_occupied;
         new_tiles.reserve(order.size());
-        new_slots.reserve(slots_before_tidy(needed));
+        new_slots.reserve(with_growth(needed));
         new_occupied.reserve(needed);
         for (const tile& t : tiles) tile_of_block_[lattice.block_place(t.at)] = 0;
         for (const std::size_t k : order) {
@@ -234,11 +230,12 @@ template <class S, class List> class tile_store {
         std::inplace_merge(order_.begin(), order_.begin() + before, order_.end(), by_node);
         slabs_.assign(1, 0);
         if (tiles.size() > 64) {
-            const int low = tiles[order_.front()].at[outer], high = tiles[order_.back()].at[outer];
-            const int thickness = std::max(thinnest, (high - low) / 32 + 1);
-            for (int k = 0; k <= (high - low) / thickness; ++k) {
+            const int low = tiles[order_.front()].at[outer], extent = tiles[order_.back()].at[outer] - low + 1;
+            const int count = slabs_across(extent / thinnest);
+            for (int k = 1; k <= count; ++k) {
+                const int end = low + static_cast<int>(static_cast<long>(extent) * k / count);
                 std::uint32_t last = slabs_.back();
-                while (last < order_.size() && (tiles[order_[last]].at[outer] - low) / thickness == k) ++last;
+                while (last < order_.size() && tiles[order_[last]].at[outer] < end) ++last;
                 slabs_.push_back(last);
             }
         } else
@@ -252,15 +249,13 @@ template <class S, class List> class tile_store {
     }
     /// Storage place of the first node that slab k reaches.
     std::size_t first_place(std::size_t k) const { return tiles[order_[slabs_[k]]].node; }
-    /// Asks for a slot that will be needed soon: after particles have crossed cells, tiles that follow one another do
-    /// not lie one after the other, and processors do not guess where the next one is.
-    TAMIS_INLINE void fetch(const slot* s) const {
-#if defined(__GNUC__)
-        constexpr std::size_t line = 64;
-        for (std::size_t at = 0; at < sizeof(slot); at += line)
-            __builtin_prefetch(reinterpret_cast<const char*>(s) + at, 1);
-#endif
+    /// Asks for fields of a slot that will be needed soon: after particles have crossed cells, tiles that follow one
+    /// another do not lie one after the other, and processors do not guess where the next one is.
+    template <class... F> TAMIS_INLINE void fetch(const slot* s, fields<F...>) const {
+        (fetch(reinterpret_cast<const char*>(&s->template get<F>()), sizeof(s->template get<F>())), ...);
     }
+    /// ... or for all of it.
+    TAMIS_INLINE void fetch(const slot* s) const { fetch(reinterpret_cast<const char*>(s), sizeof(slot)); }
     /// Runs f(tile index, first slot of the next tile) over the tiles of slab k, in the order of their nodes.
     template <class F> TAMIS_INLINE void each_tile_and_next(std::size_t k, F&& f) const {
         for (std::uint32_t j = slabs_[k]; j < slabs_[k + 1]; ++j) {
@@ -275,18 +270,43 @@ template <class S, class List> class tile_store {
     bool arranged_ = false, emptied_ = false;
     std::vector<std::uint32_t> order_, slabs_{0};
     zeros<int> tile_of_block_;  // from 1; 0: none
-    std::size_t count_ = 0, sorted_ = 0, tidied_ = 0;
+    std::size_t count_ = 0, sorted_ = 0;
     std::vector<std::vector<std::uint32_t>> left_;  // by the number of slots: first ones of room that tiles left
 
-    /// How many slots there may be before they are tidied. Addresses for them are taken at once, memory when they come:
+    TAMIS_INLINE static void fetch([[maybe_unused]] const char* first, [[maybe_unused]] std::size_t bytes) {
+#if defined(__GNUC__)
+        constexpr std::size_t line = 64;
+        for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(first + at, 1);
+#endif
+    }
+    /// How many slots there may be before they are sorted. Addresses for them are taken at once, memory when they come:
     /// so slots are not copied as they become more.
-    static std::size_t slots_before_tidy(std::size_t tidied) { return tidied + tidied / 2 + 256; }
+    static std::size_t with_growth(std::size_t needed) { return needed + needed / 2 + 256; }
+    /// Slots are made here, not in `deliver`: that may run in several threads. Where the addresses do not suffice for
+    /// all, gaps have become many: then tiles are sorted.
+    template <class Lattice> void make_rooms_for_letters(const Lattice& lattice) {
+        const auto wanted = [&](const tile& t) {
+            const std::uint32_t least = t.count + t.letters <= t.room ? 0 : slots_with_letters(t);
+            return least > t.room ? even(least + 1) : 0;
+        };
+        std::size_t more = 0;
+        for (const std::uint32_t index : got_letters_) more += wanted(tiles[index]);
+        if (more == 0) return;
+        if (slots.size() + more > slots.capacity()) return sort(lattice, 2);
+        for (const std::uint32_t index : got_letters_)
+            if (const std::uint32_t room = wanted(tiles[index])) make_room(tiles[index], room);
+    }
+    /// How many slabs of equal thickness, where there is room for so many: at most 32, and as many in each colour as
+    /// two threads can share evenly.
+    static int slabs_across(int most) {
+        const int count = std::min(most, 32);
+        return count >= 8 ? count / 4 * 4 : std::max(count, 1);
+    }
     /// Few sizes, so that room that a tile left serves another.
     static std::uint32_t even(std::uint32_t room) { return room + room % 2; }
     /// Tiles are in the order of their nodes.
     void renew_order() {
         sorted_ = tiles.size();
-        tidied_ = slots.size();
         order_.clear();
         arranged_ = false;
         layout.renew();

@@ -6,6 +6,8 @@
 #include <tamis/transfer/flow.hpp>
 #include <tamis/transfer/strain.hpp>
 
+#include <utility>
+
 // What the passes of a step do to a particle or a node. Named types, not lambdas inside the solver: compositions that
 // need the same pass share its code.
 namespace tamis::detail {
@@ -79,11 +81,12 @@ template <class S, class Shape, bool Gradient, bool Place> struct contact_to_nod
     }
 };
 
-/// SdV = S^T M S dv.
-struct spread {
+/// SdV = S^T M S dv, dv in `From`.
+template <class From> struct spread {
+    using reads = fields<field::mass>;
     /// M S dv.
     TAMIS_INLINE static auto make(const auto& slot, const auto& dv_p) {
-        return (dv_p.sums.template get<field::increment>() * slot.template get<field::mass>()).eval();
+        return (dv_p.sums.template get<From>() * slot.template get<field::mass>()).eval();
     }
     TAMIS_INLINE void operator()(auto, auto near, const auto& momentum) const {
         for (const auto& [i, w, dw] : near) i[symbols::Sdv] += w * momentum;
@@ -156,9 +159,13 @@ struct update_particles {
     TAMIS_INLINE void operator()(Slot& slot, [[maybe_unused]] std::uint32_t occupied, const frame<S>& at,
                                  const Gathered& g, [[maybe_unused]] const Flow&... flow) const {
         const gathered_nodes<S, decltype(g.sums), Gathers> near{g.sums};
-        const typename S::vector before = slot.template get<field::velocity>();
-        const typename S::vector after = update.velocity(slot_row<S, Slot, on_particles_t<Update>>{slot, at}, near, dt);
-        slot.template get<field::velocity>() = after;
+        auto& velocity = slot.template get<field::velocity>();
+        // By components: copies of vectors go through memory in pieces, and wait for each other.
+        typename S::vector before, after;
+        before = std::as_const(velocity);
+        const auto& result = update.velocity(slot_row<S, Slot, on_particles_t<Update>>{slot, at}, near, dt);
+        after = result;
+        velocity = std::as_const(after);
         if constexpr (Strains) strain_slot<S>(law, slot, occupied, at, g.gradient, strain_dt, flow...);
         if constexpr (Moves != where_to::nowhere) {
             const typename S::vector moved = update.displacement(before, after, near, dt);

@@ -155,17 +155,20 @@ template <class Solver, class... Body> struct passes {
                 correct<To>(how, felt);
         }
     }
-    /// SdV = S^T M S dv.
-    void spread_increment() {
+    /// SdV = S^T M S dv; dv, or what else `From` names.
+    template <class From = field::increment> void spread_increment() {
+        const bool zero = std::exchange(mpm.image_is_zero_, false);
         if constexpr (C::bands)
-            if (bands_pay()) return multiply_increment();
-        set_zero<field::image>();
+            if (bands_pay()) return multiply_increment<From>();
+        if (!zero) set_zero<field::image>();
         each_body([](auto& b, auto& sweeps) {
-            sweeps.template scatter_gathered<fields<const field::mass>, fields<field::increment>, fields<field::image>>(
-                b, spread{});
+            sweeps.template scatter_gathered<fields<const field::mass>, fields<From>, fields<field::image>>(
+                b, spread<From>{});
         });
         wrap(fields<field::image>{});
     }
+    /// Whoever used SdV has set it to zero.
+    void image_is_zero() { mpm.image_is_zero_ = true; }
     template <class Sum> void hold_increment(bool felt) {
         if constexpr (C::own_velocities)
             if constexpr (C::touch::method_type::terms != contact_terms::untouched)
@@ -261,7 +264,7 @@ template <class Solver, class... Body> struct passes {
             return true;
     }
     /// SdV by the assembled matrix, which is made anew when weights have changed.
-    void multiply_increment() {
+    template <class From> void multiply_increment() {
         using band = field::mass_band<C::shape::support>;
         if (mpm.bands_made_for_ != mpm.weights_.number()) {
             set_zero<band>();
@@ -271,7 +274,7 @@ template <class Solver, class... Body> struct passes {
             });
             mpm.bands_made_for_ = mpm.weights_.number();
         }
-        for (auto& field : mpm.fields_) field.sweeps.template multiply_by_bands<band, field::increment, field::image>();
+        for (auto& field : mpm.fields_) field.sweeps.template multiply_by_bands<band, From, field::image>();
     }
     template <class Gradient, bool Strains, class B, class Sweeps>
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {

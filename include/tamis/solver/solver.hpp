@@ -279,6 +279,7 @@ template <class Grid, class... Policies> class solver {
     std::size_t crossings_ = 0;
     series_report series_;
     std::vector<std::string> warnings_;
+    bool image_is_zero_ = false;  // on all nodes, so that the next sum can begin
     detail::stamp weights_;
     std::uint64_t bands_made_for_ = 0;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared

@@ -140,10 +140,11 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     /// As `scatter` with made = kernel.make(slot, gathered), gathered: S F for all node fields F of `Read`, and the
-    /// gradient of a node field.
+    /// gradient of a node field. Of particles the kernel reads the fields `Kernel::reads`.
     template <class Shown, class Read, class ToNodes, class Gradient = no_field, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
+        using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
         each_tile_by_colour(store, [&](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
             const nodes_around<S, Shape, typename with_gradient<Read, Gradient>::type> around(lattice_, nodes_, t.node);
@@ -152,7 +153,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                 gather<Gradient>(around, st, g);
                 return kernel.make(slot, g);
             };
-            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k, reads{}); };
             scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
                                          make, kernel);
         });

@@ -28,7 +28,7 @@ class adaptive_mass {
         double last = first;
         int terms = 1;
         for (; terms < most_ && last > tolerance_ * first; ++terms) {
-            detail::add_term<To>(felt, pass);
+            detail::add_term<To, field::increment>(felt, pass);
             last = pass.increment_size();
         }
         if (felt) pass.report({terms, last});

@@ -35,12 +35,15 @@ template <class From, class To> struct copy_field {
     using list = fields<const From, To>;
     TAMIS_INLINE void operator()(auto i) const { i[To{}] = i[From{}]; }
 };
-/// dv becomes A dv = dv - m^-1 S^T M S dv, and is added to `To`; dv is in `Term`, S^T M S dv in `Image`.
-template <class To, class Term = field::increment, class Image = field::image> struct next_increment {
-    using list = fields<const field::inverse_mass, const Image, Term, To>;
+/// dv = A u = u - m^-1 S^T M S u of the field `From`, added to `To`; dv is in `Term`, S^T M S u in `Image`. The image
+/// is zero then, as the next sum needs it: its memory is at hand here, and would not be in a pass of its own.
+template <class From, class To, class Term = field::increment, class Image = field::image> struct next_increment {
+    using list = typename concatenate<fields_if<!std::same_as<From, Term> && !std::same_as<From, To>, const From>,
+                                      fields<const field::inverse_mass, Image, Term, To>>::type;
     TAMIS_INLINE void operator()(auto i) const {
-        i[Term{}] -= i[symbols::im] * i[Image{}];
+        i[Term{}] = i[From{}] - i[symbols::im] * i[Image{}];
         i[To{}] += i[Term{}];
+        i[Image{}].setZero();
     }
 };
 /// dv becomes A dv, where nothing is summed.
@@ -84,19 +87,21 @@ template <class T> struct add_acceleration {
     }
 };
 
-/// `add_term`: A dv becomes dv and is added to `To`. `add_series`: so for all A^l dv, 0 < l < k, with A = I - S+ S and
-/// S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist 2021). By increments: the sum with alternating
-/// binomials is the same in exact arithmetic, but loses k log10(2) digits. `felt`: do particles feel what conditions
-/// take from the increments?
-template <class To, class Term = field::increment, class Image = field::image, class Pass>
+/// `add_term`: A u of the field `From` becomes dv and is added to `To`. `add_series`: so for all A^l u, 0 < l < k, with
+/// A = I - S+ S and S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist 2021). By increments: the sum with
+/// alternating binomials is the same in exact arithmetic, but loses k log10(2) digits. `felt`: do particles feel what
+/// conditions take from the increments?
+template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
 void add_term(bool felt, Pass& pass) {
-    pass.spread_increment();
-    pass.nodes(next_increment<To, Term, Image>{});
+    pass.template spread_increment<From>();
+    pass.nodes(next_increment<From, To, Term, Image>{});
+    pass.image_is_zero();
     pass.template hold_increment<To>(felt);
 }
-template <class To, class Term = field::increment, class Image = field::image, class Pass>
+template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
 void add_series(int terms, bool felt, Pass& pass) {
-    for (int l = 1; l < terms; ++l) add_term<To, Term, Image>(felt, pass);
+    if (terms > 1) add_term<To, From, Term, Image>(felt, pass);
+    for (int l = 2; l < terms; ++l) add_term<To, Term, Term, Image>(felt, pass);
 }
 
 }  // namespace detail
@@ -119,15 +124,14 @@ template <int K> struct full_mass : detail::term_count<K> {
     /// The velocity at hand becomes v(k) in `To`.
     template <class To> void filter(bool felt, auto& pass) const {
         if constexpr (full) {
-            pass.nodes(detail::copy_field<field::velocity, field::increment>{});
             if constexpr (!std::same_as<To, field::velocity>) pass.nodes(detail::copy_field<field::velocity, To>{});
-            detail::add_series<To>(this->terms(), felt, pass);
+            detail::add_series<To, field::velocity>(this->terms(), felt, pass);
         }
     }
     /// Adds M~_k^-1 m dv to `To`, dv the increment at hand.
     template <class To> void series(bool felt, auto& pass) const {
         pass.nodes(detail::add_increment<To>{});
-        detail::add_series<To>(this->terms(), felt, pass);
+        detail::add_series<To, field::increment>(this->terms(), felt, pass);
     }
     /// The terms of M~_k^-1 m dv one after the other in dv, each shown by look().
     template <class Look> void each_term(auto& pass, Look look) const {
@@ -150,10 +154,8 @@ template <int K> struct filtered_mass : detail::term_count<K> {
     /// a becomes M^-1 p + a dt.
     void solve(auto& pass) const {
         pass.nodes(detail::add_acceleration<decltype(pass.dt())>{pass.dt()});
-        if constexpr (series) {
-            pass.nodes(detail::copy_field<field::start_velocity, field::increment>{});
-            detail::add_series<field::filtered_velocity>(this->terms(), true, pass);
-        }
+        if constexpr (series)
+            detail::add_series<field::filtered_velocity, field::start_velocity>(this->terms(), true, pass);
     }
 };
 

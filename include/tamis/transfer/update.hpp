@@ -14,7 +14,7 @@ struct set_velocity {
     using on_nodes = fields<const field::velocity>;
     using to_move = fields<const field::velocity>;
     static constexpr double start_share() { return 1; }
-    auto velocity(auto, auto near, auto) const { return near.sum(symbols::v).eval(); }
+    const auto& velocity(auto, auto near, auto) const { return near.sum(symbols::v); }
     auto displacement(const auto&, const auto&, auto near, auto dt) const { return (dt * near.sum(symbols::v)).eval(); }
 };
 
@@ -22,7 +22,7 @@ struct set_velocity {
 struct set_velocity_move_by_mean {
     using on_nodes = fields<const field::velocity>;
     static constexpr double start_share() { return 1; }
-    auto velocity(auto, auto near, auto) const { return near.sum(symbols::v).eval(); }
+    const auto& velocity(auto, auto near, auto) const { return near.sum(symbols::v); }
     auto displacement(const auto& before, const auto& after, auto, auto dt) const {
         return ((before + after) * (dt / 2)).eval();
     }
@@ -82,7 +82,7 @@ struct set_filtered_velocity {
     using on_nodes = fields<const field::filtered_velocity>;
     using to_move = fields<const field::start_velocity>;
     static constexpr double start_share() { return 1; }
-    auto velocity(auto, auto near, auto) const { return near.sum(symbols::v_filtered).eval(); }
+    const auto& velocity(auto, auto near, auto) const { return near.sum(symbols::v_filtered); }
     auto displacement(const auto& before, const auto& after, auto near, auto dt) const {
         return (dt * near.sum(symbols::v_start) + (after - before) * (dt / 2)).eval();
     }

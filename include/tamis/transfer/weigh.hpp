@@ -6,6 +6,9 @@ namespace tamis::detail {
 
 /// Weights of the particles of one tile: made from their places, or recalled where they are held.
 template <class S, class Shape, bool Moves> struct tile_weights {
+    /// Fields of a particle that its weights are made from.
+    using reads =
+        std::conditional_t<Moves, merge<fields<field::position>, on_particles_t<Shape>>, fields<held_weights<Shape>>>;
     const Shape& functions;
     typename S::scalar inverse_spacing;
     frame<S> at;
