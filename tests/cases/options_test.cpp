@@ -110,7 +110,7 @@ TEST_CASE("every option is taken") {
     CHECK(with("--boundary incremental")["boundary"] == "incremental");
     CHECK(with("--update fmpm --boundary collected")["boundary"] == "collected");
     for (const std::string precision : {"float", "double"})
-        CHECK(with("--precision " + precision)["precision"] == precision);
+        CHECK(with("--particles held --precision " + precision)["precision"] == precision);
     CHECK(with("--amplitude 0.002")["amplitude"] == 0.002);
     CHECK(with("--threads 0")["threads"] == 1);
     CHECK(with("--threads 1")["threads"] == 1);

@@ -194,8 +194,8 @@ template <class S, class List> class tile_store {
                 new_slots.push_back(slots[s]);
                 new_occupied.push_back(occupied[s]);
             }
-            t.first = first;
             t.room = room_of(t);
+            t.first = first;
             for (std::uint32_t s = t.count; s < t.room; ++s) {
                 new_slots.emplace_back().set_zero();
                 new_occupied.push_back(0);

@@ -319,6 +319,34 @@ TEST_CASE("tile_store: letters wait while tiles and slabs come and go") {
     w.check_same_as_model();
 }
 
+TEST_CASE("tile_store: letters find room made for them, also where all tiles were sorted for it") {
+    world<2, native_lanes::type<double>> w({{0., 0.}, {60., 40.}, 1.});
+    for (int k = 0; k < 20000; ++k) w.add(w.any_cell());
+    w.store.sort(w.lattice, 0);
+    int sorted = 0;
+    for (int round = 0; round < 12; ++round) {
+        const auto ground = w.store.ground.number();
+        w.move_some(round % 2 == 0 ? 2 : 8);
+        sorted += w.store.ground.number() != ground ? 1 : 0;
+        CHECK(w.store.has_mail());
+        const auto rooms = [&] {
+            std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+            for (const detail::tile& t : w.store.tiles) all.emplace_back(t.first, t.room);
+            return all;
+        };
+        const auto before = rooms();
+        const std::size_t slots = w.store.slots.size();
+        // In any order, by several threads: so none of them may ask for more.
+        for (auto& t : w.store.tiles) w.store.deliver(t);
+        w.store.mail_delivered();
+        CHECK(rooms() == before);
+        CHECK(w.store.slots.size() == slots);
+        w.check_tight();
+        w.check_same_as_model();
+    }
+    CHECK(sorted > 0);
+}
+
 TEST_CASE("tile_store: a letter tells where its particle was, and where in storage") {
     world<1, double> w(box<1>());
     w.add({3, 0, 0});
