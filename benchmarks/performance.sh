@@ -64,7 +64,7 @@ nodes and 720 to particles, some 650 of them arithmetic; the rest are loads that
 what sixteen registers cannot hold. Bytes: 112 a particle and 56 a node (float: half). The step by hand keeps node fields
 in columns and all 21 sums of a row at once; sixteen registers spill them, and each row touches seven pages.
 
-FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and two passes over nodes.
+FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes.
 END
             ;;
             step_2d) cat << 'END'
