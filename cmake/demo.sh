@@ -35,7 +35,7 @@ for scene in gas_wave shock_tube; do
         gnuplot -e "csv='out/$scene.csv'; out='out/$scene'" "examples/plots/$scene.gp"
     fi
 done
-echo "== Reports: error against run time, stability (a minute or two)"
+echo "== Reports: error against run time, stability (two to four minutes)"
 if command -v gnuplot > /dev/null; then
     rm -rf out/report
     build/demo/examples/report/tamis_report error --quick --out out/report
