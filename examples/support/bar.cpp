@@ -47,7 +47,8 @@ bar_result run_bar(const bar_scene& scene, const bar_options& o) {
             return run_bar_with<Shape, Motion, Real>(scene, o);
         else
             throw unusable_option("this build leaves out shape " + o.shape + " with particles " + o.particles +
-                                  " and precision " + o.precision + "; configure with -DTAMIS_QUICK=OFF -DTAMIS_SCENES_FLOAT=ON");
+                                  " and precision " + o.precision +
+                                  "; configure with -DTAMIS_QUICK=OFF -DTAMIS_SCENES_FLOAT=ON");
     });
 }
 

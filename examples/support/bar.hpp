@@ -35,7 +35,8 @@ struct bar_errors {
 bar_errors errors_of(const bar_scene& scene, const bar_options& options, const bar_result& result);
 
 /// Runs the scene with the composition that the options name. Throws `unusable_option` if the build leaves the
-/// composition out (TAMIS_QUICK, TAMIS_SCENES_FLOAT), or if an output cannot be written; `tamis::error` if the run fails.
+/// composition out (TAMIS_QUICK, TAMIS_SCENES_FLOAT), or if an output cannot be written; `tamis::error` if the run
+/// fails.
 bar_result run_bar(const bar_scene& scene, const bar_options& options);
 
 /// Has this build the shape, motion and precision that the options name?
