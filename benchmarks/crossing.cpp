@@ -1,7 +1,8 @@
 // What it costs when particles change cells: a 3D block that drifts to and fro, its particles anywhere in their cells.
-// The occupancy printed at the end is the share of lanes that hold a particle.
+// The occupancy printed at the end is the share of lanes that hold a particle: the least and the most of 60 steps.
 #include <tamis/tamis.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 #include <vector>
@@ -64,9 +65,14 @@ auto settled(double share) {
 
 void tell(double share) {
     auto one = block(share);
-    for (int n = 0; n < 60; ++n) one.step();
-    std::printf("crossing %4.1f %%: occupancy %.2f after 60 steps, %.2f %% of the particles crossed per step\n",
-                100 * share, one.body->occupancy(),
+    double least = 1, most = 0;
+    for (int n = 0; n < 60; ++n) {
+        one.step();
+        least = std::min(least, one.body->occupancy());
+        most = std::max(most, one.body->occupancy());
+    }
+    std::printf("crossing %4.1f %%: occupancy %.2f to %.2f in 60 steps, %.2f %% of the particles crossed per step\n",
+                100 * share, least, most,
                 100 * static_cast<double>(one.mpm->crossings()) / 60 / static_cast<double>(one.particles()));
 }
 

@@ -76,7 +76,6 @@ END
 
 Lanes are what crossing costs: a tile has as many slots as its fullest lane, and particles that wander fill lanes
 unevenly: a step over slots alone is longer by the inverse of the occupancy. What is left is the mailbox, and new tiles.
-This block's occupancy goes between 0.77 and 0.97 as it drifts to and fro: lanes alone make its step up to 1.3 times as long.
 The worst case is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
 END
             ;;
@@ -94,8 +93,7 @@ A body is cut into at most 32 slabs across its outermost axis, so a colour has a
 scatter, and twice as many a gather. On 64 cores a step is then bound by the scatter at 16 threads' rate, or by memory:
 n cores at T ns a particle ask for 336 n/T GB/s.
 
-On a virtual machine the gain falls when the host lends the second processor to others. Seen on this kind of machine at
-several hours: 1.33 to 1.91 in 2D, 1.68 to 1.95 in 3D; when it was high, two programs side by side did not slow each other down.
+On a virtual machine the gain falls when the host lends the second processor to others; nanoseconds then rise too.
 END
             ;;
         esac

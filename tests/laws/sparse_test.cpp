@@ -88,9 +88,10 @@ TEST_CASE("sparse: particles that cross cells do not make the heap or the storag
     const auto crossings = mpm.crossings();
     for (int n = 0; n < 4; ++n) {
         step(40);
-        // Sanitizers' allocators tell nothing of themselves: 0.
-        if (settled.in_use > 0) CHECK(now.in_use < 1.1 * settled.in_use);
-        // Slots are tidied when there are half as many more than there were.
+#if !defined(__SANITIZE_ADDRESS__)  // whose allocator tells nothing of itself
+        CHECK(now.in_use < 1.1 * settled.in_use);
+#endif
+        // Slots are sorted when they would be half as many again.
         CHECK(static_cast<double>(now.slots) < 1.6 * static_cast<double>(settled.slots));
         if (n < 2) CHECK(now.heap < 1.5 * early.heap + 8);
     }

@@ -215,14 +215,15 @@ class taylor_galerkin {
     struct pass {
         taylor_galerkin& of;
         double end;
+        bool zero = false;  // the image is
         template <class Kernel> void nodes(Kernel kernel) { of.each_node(kernel); }
         template <class From> void spread_increment() {
-            of.sweeps_.nodes().template set_zero<rate>();
+            if (!std::exchange(zero, false)) of.sweeps_.template set_zero<rate>();
             of.sweeps_.template scatter_gathered<fields<const field::mass>, fields<From>, fields<rate>>(
                 of.particles_, detail::spread_term<count>{});
             detail::wrap(of.lattice_, of.sweeps_.nodes(), fields<rate>{});
         }
-        void image_is_zero() {}
+        void image_is_zero() { zero = true; }
         template <class> void hold_increment(bool) { of.hold_change(end); }
     };
 

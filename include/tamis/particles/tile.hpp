@@ -5,6 +5,7 @@
 #include <tamis/core/values.hpp>
 #include <tamis/grid/lattice.hpp>
 #include <tamis/particles/mail.hpp>
+#include <tamis/particles/slabs.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -216,39 +217,16 @@ template <class S, class List> class tile_store {
         return lanes_in_use == 0 ? 1.0 : static_cast<double>(count_) / static_cast<double>(lanes_in_use);
     }
 
-    /// Groups the tiles into slabs across the outermost axis such that slabs k and k + 2 reach no common node. The
-    /// partition depends on the tiles only, never on the number of threads: so do the sums.
+    /// Brings the slabs up to date, for functions that reach N nodes along an axis.
     template <int N> void arrange() {
-        if (std::exchange(arranged_, true)) return;
-        constexpr int thinnest = D == 1 ? (N - 2) / W + 1 : N - 1;
-        constexpr std::size_t outer = static_cast<std::size_t>(D - 1);
-        const auto before = static_cast<std::ptrdiff_t>(order_.size());
-        const auto by_node = [&](std::uint32_t a, std::uint32_t b) { return tiles[a].node < tiles[b].node; };
-        order_.reserve(tiles.size());
-        while (order_.size() < tiles.size()) order_.push_back(static_cast<std::uint32_t>(order_.size()));
-        std::sort(order_.begin() + before, order_.end(), by_node);
-        std::inplace_merge(order_.begin(), order_.begin() + before, order_.end(), by_node);
-        slabs_.assign(1, 0);
-        if (tiles.size() > 64) {
-            const int low = tiles[order_.front()].at[outer], extent = tiles[order_.back()].at[outer] - low + 1;
-            const int count = slabs_across(extent / thinnest);
-            for (int k = 1; k <= count; ++k) {
-                const int end = low + static_cast<int>(static_cast<long>(extent) * k / count);
-                std::uint32_t last = slabs_.back();
-                while (last < order_.size() && tiles[order_[last]].at[outer] < end) ++last;
-                slabs_.push_back(last);
-            }
-        } else
-            slabs_.push_back(static_cast<std::uint32_t>(order_.size()));
+        slabs_.arrange(tiles, static_cast<std::size_t>(D - 1), D == 1 ? (N - 2) / W + 1 : N - 1);
         mail_.have_boxes(slabs());
     }
-    std::size_t slabs() const { return slabs_.size() - 1; }
+    std::size_t slabs() const { return slabs_.count(); }
     /// The tiles of slab k, in the order of their nodes.
-    std::span<const std::uint32_t> row(std::size_t k) const {
-        return {order_.data() + slabs_[k], slabs_[k + 1] - slabs_[k]};
-    }
+    std::span<const std::uint32_t> row(std::size_t k) const { return slabs_.tiles_of(k); }
     /// Storage place of the first node that slab k reaches.
-    std::size_t first_place(std::size_t k) const { return tiles[order_[slabs_[k]]].node; }
+    std::size_t first_place(std::size_t k) const { return tiles[row(k).front()].node; }
     /// Asks for fields of a slot that will be needed soon: after particles have crossed cells, tiles that follow one
     /// another do not lie one after the other, and processors do not guess where the next one is.
     template <class... F> TAMIS_INLINE void fetch(const slot* s, fields<F...>) const {
@@ -258,17 +236,16 @@ template <class S, class List> class tile_store {
     TAMIS_INLINE void fetch(const slot* s) const { fetch(reinterpret_cast<const char*>(s), sizeof(slot)); }
     /// Runs f(tile index, first slot of the next tile) over the tiles of slab k, in the order of their nodes.
     template <class F> TAMIS_INLINE void each_tile_and_next(std::size_t k, F&& f) const {
-        for (std::uint32_t j = slabs_[k]; j < slabs_[k + 1]; ++j) {
-            const std::uint32_t next = order_[j + 1 < slabs_[k + 1] ? j + 1 : j];
-            f(order_[j], slots.data() + tiles[next].first);
-        }
+        const auto all = row(k);
+        for (std::size_t j = 0; j < all.size(); ++j)
+            f(all[j], slots.data() + tiles[all[j + 1 < all.size() ? j + 1 : j]].first);
     }
 
   private:
     mail_type mail_;  // an outbox for each slab
     std::vector<std::uint32_t> got_letters_;
-    bool arranged_ = false, emptied_ = false;
-    std::vector<std::uint32_t> order_, slabs_{0};
+    bool emptied_ = false;
+    slab_order slabs_;
     zeros<int> tile_of_block_;  // from 1; 0: none
     std::size_t count_ = 0, sorted_ = 0;
     std::vector<std::vector<std::uint32_t>> left_;  // by the number of slots: first ones of room that tiles left
@@ -296,19 +273,12 @@ template <class S, class List> class tile_store {
         for (const std::uint32_t index : got_letters_)
             if (const std::uint32_t room = wanted(tiles[index])) make_room(tiles[index], room);
     }
-    /// How many slabs of equal thickness, where there is room for so many: at most 32, and as many in each colour as
-    /// two threads can share evenly.
-    static int slabs_across(int most) {
-        const int count = std::min(most, 32);
-        return count >= 8 ? count / 4 * 4 : std::max(count, 1);
-    }
     /// Few sizes, so that room that a tile left serves another.
     static std::uint32_t even(std::uint32_t room) { return room + room % 2; }
     /// Tiles are in the order of their nodes.
     void renew_order() {
         sorted_ = tiles.size();
-        order_.clear();
-        arranged_ = false;
+        slabs_.start_anew();
         layout.renew();
         ground.renew();
     }
@@ -318,7 +288,7 @@ template <class S, class List> class tile_store {
         if (t == 0) {
             tiles.push_back({at, lattice.first_node(at), static_cast<std::uint32_t>(slots.size()), 0, 0});
             t = static_cast<int>(tiles.size());
-            arranged_ = false;
+            slabs_.list_grew();
             layout.renew();
         }
         return t - 1;

@@ -1,0 +1,64 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tamis::detail {
+
+/// Tiles by their numbers in a list, in the order of their nodes, grouped into slabs across the outermost axis such
+/// that slabs k and k + 2 reach no common node. The grouping depends on the tiles only, never on the number of threads:
+/// so do sums that are made slab by slab.
+class slab_order {
+  public:
+    /// Tiles were added to the end of the list.
+    void list_grew() { arranged_ = false; }
+    /// The list is another one.
+    void start_anew() {
+        order_.clear();
+        arranged_ = false;
+    }
+    /// Brings all up to date, with slabs of at least `thinnest` cells along the outermost axis.
+    template <class Tile> void arrange(const std::vector<Tile>& tiles, std::size_t outermost, int thinnest) {
+        if (std::exchange(arranged_, true)) return;
+        const auto before = static_cast<std::ptrdiff_t>(order_.size());
+        const auto by_node = [&](std::uint32_t a, std::uint32_t b) { return tiles[a].node < tiles[b].node; };
+        order_.reserve(tiles.size());
+        while (order_.size() < tiles.size()) order_.push_back(static_cast<std::uint32_t>(order_.size()));
+        std::sort(order_.begin() + before, order_.end(), by_node);
+        std::inplace_merge(order_.begin(), order_.begin() + before, order_.end(), by_node);
+        ends_.assign(1, 0);
+        if (tiles.size() > 64) {
+            const int low = tiles[order_.front()].at[outermost];
+            const int extent = tiles[order_.back()].at[outermost] - low + 1;
+            const int count = slabs_across(extent / thinnest);
+            for (int k = 1; k <= count; ++k) {
+                const int end = low + static_cast<int>(static_cast<long>(extent) * k / count);
+                std::uint32_t last = ends_.back();
+                while (last < order_.size() && tiles[order_[last]].at[outermost] < end) ++last;
+                ends_.push_back(last);
+            }
+        } else
+            ends_.push_back(static_cast<std::uint32_t>(order_.size()));
+    }
+    std::size_t count() const { return ends_.size() - 1; }
+    /// The tiles of slab k.
+    std::span<const std::uint32_t> tiles_of(std::size_t k) const {
+        return {order_.data() + ends_[k], ends_[k + 1] - ends_[k]};
+    }
+
+  private:
+    bool arranged_ = false;
+    std::vector<std::uint32_t> order_, ends_{0};
+
+    /// How many slabs of equal thickness, where there is room for so many: at most 32, and as many in each colour as
+    /// two threads can share evenly.
+    static int slabs_across(int most) {
+        const int count = std::min(most, 32);
+        return count >= 8 ? count / 4 * 4 : std::max(count, 1);
+    }
+};
+
+}  // namespace tamis::detail
