@@ -223,6 +223,7 @@ class taylor_galerkin {
                 of.particles_, detail::spread_term<count>{});
             detail::wrap(of.lattice_, of.sweeps_.nodes(), fields<rate>{});
         }
+        static constexpr bool clears_image = true;
         void image_is_zero() { zero = true; }
         template <class> void hold_increment(bool) { of.hold_change(end); }
     };

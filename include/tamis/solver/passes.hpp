@@ -167,7 +167,8 @@ template <class Solver, class... Body> struct passes {
         });
         wrap(fields<field::image>{});
     }
-    /// Whoever used SdV has set it to zero.
+    /// Should whoever uses SdV set it to zero? Not where the assembled matrix may write it whole.
+    static constexpr bool clears_image = !C::bands;
     void image_is_zero() { mpm.image_is_zero_ = true; }
     template <class Sum> void hold_increment(bool felt) {
         if constexpr (C::own_velocities)

@@ -35,15 +35,16 @@ template <class From, class To> struct copy_field {
     using list = fields<const From, To>;
     TAMIS_INLINE void operator()(auto i) const { i[To{}] = i[From{}]; }
 };
-/// dv = A u = u - m^-1 S^T M S u of the field `From`, added to `To`; dv is in `Term`, S^T M S u in `Image`. The image
-/// is zero then, as the next sum needs it: its memory is at hand here, and would not be in a pass of its own.
-template <class From, class To, class Term = field::increment, class Image = field::image> struct next_increment {
+/// dv = A u = u - m^-1 S^T M S u of the field `From`, added to `To`; dv is in `Term`, S^T M S u in `Image`. `Clears`:
+/// the image is zero then, as the next sum needs it. Its memory is at hand here, and would not be in a pass of its own.
+template <class From, class To, class Term, class Image, bool Clears> struct next_increment {
+    using image = std::conditional_t<Clears, Image, const Image>;
     using list = typename concatenate<fields_if<!std::same_as<From, Term> && !std::same_as<From, To>, const From>,
-                                      fields<const field::inverse_mass, Image, Term, To>>::type;
+                                      fields<const field::inverse_mass, image, Term, To>>::type;
     TAMIS_INLINE void operator()(auto i) const {
         i[Term{}] = i[From{}] - i[symbols::im] * i[Image{}];
         i[To{}] += i[Term{}];
-        i[Image{}].setZero();
+        if constexpr (Clears) i[Image{}].setZero();
     }
 };
 /// dv becomes A dv, where nothing is summed.
@@ -94,8 +95,8 @@ template <class T> struct add_acceleration {
 template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
 void add_term(bool felt, Pass& pass) {
     pass.template spread_increment<From>();
-    pass.nodes(next_increment<From, To, Term, Image>{});
-    pass.image_is_zero();
+    pass.nodes(next_increment<From, To, Term, Image, Pass::clears_image>{});
+    if constexpr (Pass::clears_image) pass.image_is_zero();
     pass.template hold_increment<To>(felt);
 }
 template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>

@@ -6,6 +6,9 @@ namespace tamis::detail {
 
 /// Numbers that stay in registers while slots go by; four more hold what is added to them.
 inline constexpr int sums_in_registers = TAMIS_VECTOR_REGISTERS - 4;
+/// Numbers for all rows of nodes that are summed at once: some that go to memory cost less than weights kept there and
+/// read again for every row. Measured with sixteen registers: 20 sums (linear, 2D) gain a tenth of a step, 45 lose one.
+inline constexpr int sums_at_once = sums_in_registers > 24 ? sums_in_registers : 24;
 
 /// The fields of a list in groups whose sums, `nodes` for each component, fit into registers.
 template <class S, int Nodes, class List> struct in_groups;
@@ -90,8 +93,8 @@ TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, 
 
 /// Runs `kernel(p, near, made)`, or `kernel(p, near, made, a)` with the place a of the node in its row, for all slots
 /// of a tile and adds what it put on the nodes. `make(slot, stencil, frame)` gives what is the same for every node of a
-/// slot. `fetch(k)` asks for slot k of the next tile. Where there is more than one row of nodes, slots' weights are
-/// kept while rows go by, and a row is flushed once per chunk.
+/// slot. `fetch(k)` asks for slot k of the next tile. Where the sums of all rows of nodes are too many at once, slots'
+/// weights are kept while rows go by, and a row is flushed once per chunk.
 template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Fetch,
           class Make, class Kernel>
 TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& nodes, Slot* slots, const tile& t,
@@ -117,16 +120,22 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
                 give(one_node<S, sums_type, ToNodes>{{{to}, st.weight(a, across), st.slope(a, across)}}, a);
         });
     };
-    if constexpr (rows == 1) {
-        values<S, ToNodes> sums[N];
-        unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
+    if constexpr (rows == 1 || rows * N * values<S, ToNodes>::components <= sums_at_once) {
+        values<S, ToNodes> sums[rows][N];
+        unroll<rows>(
+            [&](auto r) TAMIS_INLINE_LAMBDA { unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[r][a].set_zero(); }); });
         for (std::uint32_t s = 0; s < t.count; ++s) {
+            if constexpr (rows > 1) fetch(s);
             stencil<S, N> st;
             weigh(st, slot[s]);
             const auto made = make(slot[s], st, at);
-            add(std::type_identity<ToNodes>{}, sums, slot[s], st, st.row(0), made);
+            unroll<rows>([&](auto r) TAMIS_INLINE_LAMBDA {
+                add(std::type_identity<ToNodes>{}, sums[r], slot[s], st, st.row(r), made);
+            });
         }
-        flush<S, N, pivot>(nodes, sums, t.node, ToNodes{});
+        unroll<rows>([&](auto r) TAMIS_INLINE_LAMBDA {
+            flush<S, N, pivot>(nodes, sums[r], t.node + lattice.row_offset(r), ToNodes{});
+        });
     } else {
         using groups = in_groups<S, N, ToNodes>;
         constexpr int chunk = 16;
