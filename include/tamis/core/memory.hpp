@@ -86,6 +86,13 @@ template <class T> struct aligned_allocator {
         char* const first = reinterpret_cast<char*>(from);
         ::operator delete(first - first[-1]);
     }
+    /// What a vector makes without a value is left as it is: whoever writes it first should be the thread that uses it.
+    template <class U, class... Values> void construct(U* at, Values&&... values) {
+        if constexpr (sizeof...(Values) == 0)
+            ::new (static_cast<void*>(at)) U;
+        else
+            ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
+    }
     template <class U> bool operator==(const aligned_allocator<U>&) const { return true; }
 };
 

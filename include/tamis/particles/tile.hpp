@@ -1,5 +1,6 @@
 #pragma once
 #include <tamis/core/error.hpp>
+#include <tamis/core/execution.hpp>
 #include <tamis/core/memory.hpp>
 #include <tamis/core/stamp.hpp>
 #include <tamis/core/values.hpp>
@@ -54,8 +55,10 @@ template <class S, class List> class tile_store {
     const real* lane_of(std::uint32_t s, int l) const { return reinterpret_cast<const real*>(&slots[s]) + l; }
 
     /// Makes the tiles and slots of an empty store for particles in the cells that each_cell(f) gives to f, so that
-    /// adding them moves nothing: large bodies would else be copied, and take their memory many times over.
-    template <class Lattice, class EachCell> void prepare(const Lattice& lattice, const EachCell& each_cell) {
+    /// adding them moves nothing: large bodies would else be copied, and take their memory many times over. Threads
+    /// write their parts first, so that memory lies near the processors.
+    template <class Lattice, class EachCell, class Execution = serial>
+    void prepare(const Lattice& lattice, const EachCell& each_cell, const Execution& run = {}) {
         std::vector<std::array<std::uint32_t, static_cast<std::size_t>(W)>> in_lane;
         each_cell([&](const std::array<int, 3>& cell) {
             const auto t = static_cast<std::size_t>(tile_at(lattice, cell));
@@ -73,7 +76,7 @@ template <class S, class List> class tile_store {
         }
         slots.reserve(with_growth(needed));
         slots.resize(needed);
-        for (slot& s : slots) s.set_zero();
+        in_parts(run, needed, [&](std::size_t s) { slots[s].set_zero(); });
         occupied.assign(needed, 0);
         renew_order();
     }
@@ -113,7 +116,8 @@ template <class S, class List> class tile_store {
     /// Hands the letters of all outboxes, in their order, to the tiles. Returns how many there were. `left(letter)`
     /// decides about particles outside the grid: it gives their cell and place valid values, or returns false to remove
     /// them.
-    template <class Lattice, class Left> std::size_t sort_mail(const Lattice& lattice, Left&& left) {
+    template <class Lattice, class Left, class Execution = serial>
+    std::size_t sort_mail(const Lattice& lattice, Left&& left, const Execution& run = {}) {
         emptied_ = mail_.take_emptied() || emptied_;
         const bool others_wait = mail_.waits();
         got_letters_.clear();
@@ -135,7 +139,7 @@ template <class S, class List> class tile_store {
             ++t.letters;
             return true;
         });
-        make_rooms_for_letters(lattice);
+        make_rooms_for_letters(lattice, run);
         if (!mail_.waits()) mail_.clear();  // all were removed
         return handed;
     }
@@ -159,51 +163,49 @@ template <class S, class List> class tile_store {
         mail_delivered();
     }
     /// Tiles in the order of their nodes, slots without gaps, when new or empty tiles have become many.
-    template <class Lattice> void tidy(const Lattice& lattice) {
+    template <class Lattice, class Execution = serial> void tidy(const Lattice& lattice, const Execution& run = {}) {
         std::size_t empty = 0;
         if (std::exchange(emptied_, false))
             for (const tile& t : tiles) empty += t.count == 0 && t.letter.is_none() ? 1 : 0;
-        if (empty > tiles.size() / 4 + 1 || tiles.size() > sorted_ + sorted_ / 8 + 16) sort(lattice, 2);
+        if (empty > tiles.size() / 4 + 1 || tiles.size() > sorted_ + sorted_ / 8 + 16) sort(lattice, 2, run);
     }
     /// ... at once, with so many spare slots for each tile, or half as many as it has, whichever is more: tiles that
     /// need more room go where the processor does not guess them. 0: none. Letters go on waiting, and find room.
-    template <class Lattice> void sort(const Lattice& lattice, std::uint32_t spare) {
+    template <class Lattice, class Execution = serial>
+    void sort(const Lattice& lattice, std::uint32_t spare, const Execution& run = {}) {
         const auto room_of = [&](const tile& t) {
             const std::uint32_t wanted = slots_with_letters(t);
             return spare == 0 ? wanted : even(wanted + std::max(spare, wanted / 2));
         };
         std::vector<std::size_t> order;
-        std::size_t needed = 0;
         for (std::size_t k = 0; k < tiles.size(); ++k)
-            if (tiles[k].count > 0 || !tiles[k].letter.is_none()) {
-                order.push_back(k);
-                needed += room_of(tiles[k]);
-            }
+            if (tiles[k].count > 0 || !tiles[k].letter.is_none()) order.push_back(k);
         std::sort(order.begin(), order.end(),
                   [&](std::size_t a, std::size_t b) { return tiles[a].node < tiles[b].node; });
-        std::vector<tile> new_tiles;
-        std::vector<slot, aligned_allocator<slot>> new_slots;
-        std::vector<std::uint32_t> new_occupied;
-        new_tiles.reserve(order.size());
-        new_slots.reserve(with_growth(needed));
-        new_occupied.reserve(needed);
         for (const tile& t : tiles) tile_of_block_[lattice.block_place(t.at)] = 0;
+        std::vector<tile> new_tiles;
+        new_tiles.reserve(order.size());
+        std::size_t needed = 0;
         for (const std::size_t k : order) {
-            tile t = tiles[k];
-            const auto first = static_cast<std::uint32_t>(new_slots.size());
-            for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
-                new_slots.push_back(slots[s]);
-                new_occupied.push_back(occupied[s]);
-            }
+            tile& t = new_tiles.emplace_back(tiles[k]);
             t.room = room_of(t);
-            t.first = first;
-            for (std::uint32_t s = t.count; s < t.room; ++s) {
-                new_slots.emplace_back().set_zero();
-                new_occupied.push_back(0);
-            }
-            new_tiles.push_back(t);
+            t.first = static_cast<std::uint32_t>(needed);
+            needed += t.room;
             tile_of_block_[lattice.block_place(t.at)] = static_cast<int>(new_tiles.size());
         }
+        std::vector<slot, aligned_allocator<slot>> new_slots;
+        new_slots.reserve(with_growth(needed));
+        new_slots.resize(needed);
+        std::vector<std::uint32_t> new_occupied(needed);
+        in_parts(run, order.size(), [&](std::size_t j) {
+            const tile& t = new_tiles[j];
+            const std::uint32_t before = tiles[order[j]].first;
+            for (std::uint32_t s = 0; s < t.count; ++s) {
+                new_slots[t.first + s] = slots[before + s];
+                new_occupied[t.first + s] = occupied[before + s];
+            }
+            for (std::uint32_t s = t.count; s < t.room; ++s) new_slots[t.first + s].set_zero();
+        });
         tiles.swap(new_tiles);
         slots.swap(new_slots);
         occupied.swap(new_occupied);
@@ -256,12 +258,20 @@ template <class S, class List> class tile_store {
         for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(first + at, 1);
 #endif
     }
+    /// f(k) for k < count, parts of it by threads.
+    template <class Execution, class F> static void in_parts(const Execution& run, std::size_t count, const F& f) {
+        constexpr std::size_t parts = 32;
+        run.for_each(parts, [&](std::size_t part) {
+            for (std::size_t k = count * part / parts; k < count * (part + 1) / parts; ++k) f(k);
+        });
+    }
     /// How many slots there may be before they are sorted. Addresses for them are taken at once, memory when they come:
     /// so slots are not copied as they become more.
     static std::size_t with_growth(std::size_t needed) { return needed + needed / 2 + 256; }
     /// Slots are made here, not in `deliver`: that may run in several threads. Where the addresses do not suffice for
     /// all, gaps have become many: then tiles are sorted.
-    template <class Lattice> void make_rooms_for_letters(const Lattice& lattice) {
+    template <class Lattice, class Execution>
+    void make_rooms_for_letters(const Lattice& lattice, const Execution& run) {
         const auto wanted = [&](const tile& t) {
             const std::uint32_t least = t.count + t.letters <= t.room ? 0 : slots_with_letters(t);
             return least > t.room ? even(least + 1) : 0;
@@ -269,7 +279,7 @@ template <class S, class List> class tile_store {
         std::size_t more = 0;
         for (const std::uint32_t index : got_letters_) more += wanted(tiles[index]);
         if (more == 0) return;
-        if (slots.size() + more > slots.capacity()) return sort(lattice, 2);
+        if (slots.size() + more > slots.capacity()) return sort(lattice, 2, run);
         for (const std::uint32_t index : got_letters_)
             if (const std::uint32_t room = wanted(tiles[index])) make_room(tiles[index], room);
     }

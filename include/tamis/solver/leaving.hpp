@@ -53,12 +53,12 @@ TAMIS_NOINLINE bool settle_leaver(Letter& letter, const lattice<S, Shape>& latti
 }
 
 /// Hands out a step's mail: how many particles went to another cell.
-template <class Store, class S, class Shape> std::size_t sort_mail(Store& store, const lattice<S, Shape>& lattice,
-                                                                   leaving_stops::choice what, const step_stamp& now,
-                                                                   std::string& failure) {
-    return store.sort_mail(lattice, [&](auto& letter) {
-        return settle_leaver<typename Store::slot>(letter, lattice, what, now, failure);
-    });
+template <class Store, class S, class Shape, class Execution>
+std::size_t sort_mail(Store& store, const lattice<S, Shape>& lattice, leaving_stops::choice what, const step_stamp& now,
+                      std::string& failure, const Execution& run) {
+    return store.sort_mail(
+        lattice, [&](auto& letter) { return settle_leaver<typename Store::slot>(letter, lattice, what, now, failure); },
+        run);
 }
 
 }  // namespace tamis::detail

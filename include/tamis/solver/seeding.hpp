@@ -87,18 +87,20 @@ void add_particle(Body& body, const Shape& functions, const point<Body::dim, typ
 }
 
 /// Fills a new body: a particle of the given volume at each point.
-template <bool Moves, class Body, class Shape>
-void add_particles(Body& body, const Shape& functions, const std::vector<point<Body::dim, typename Body::real>>& points,
+template <bool Moves, class Body, class Shape, class Execution>
+void add_particles(Body& body, const Shape& functions, const Execution& run,
+                   const std::vector<point<Body::dim, typename Body::real>>& points,
                    const typename Body::real& volume) {
     using real = typename Body::real;
     check_law(body.law);
     if (points.empty()) throw error("make_body: the body has no particle; give at least one point");
     if (!(volume > real(0) && volume - volume == real(0)))
         throw error(sentence("make_body: the particles' volume is ", volume, "; give a positive, finite number"));
-    body.store().prepare(body.lattice(), [&](const auto& f) {
+    const auto each_cell = [&](const auto& f) {
         point<Body::dim, real> local;
         for (const auto& where : points) f(cell_of_particle(body, where, local));
-    });
+    };
+    body.store().prepare(body.lattice(), each_cell, run);
     for (const auto& where : points) add_particle<Moves>(body, functions, where, volume, real(body.law.density));
     if constexpr (requires(typename Body::template iterator<false> p) { body.law.start(*p); })
         for (auto p : body) body.law.start(p);

@@ -162,7 +162,7 @@ template <class Grid, class... Policies> class solver {
                       "tamis: the law has no wave speed, from which time steps are chosen; give it a "
                       "member function `double wave_speed() const`");
         body_for<L, Extra...> b(law, lattice_);
-        detail::add_particles<C::moves>(b, shape_, points, volume);
+        detail::add_particles<C::moves>(b, shape_, run_, points, volume);
         detail::load_body(b, load_);
         return b;
     }
@@ -393,8 +393,9 @@ template <class Grid, class... Policies> class solver {
     }
 
     template <class B> void deliver(B& b, double dt, std::string& failure) {
-        crossings_ += detail::sort_mail(b.store(), lattice_, C::leaving::when_leaving, {steps_, time_, dt}, failure);
-        b.store().tidy(lattice_);
+        crossings_ +=
+            detail::sort_mail(b.store(), lattice_, C::leaving::when_leaving, {steps_, time_, dt}, failure, run_);
+        b.store().tidy(lattice_, run_);
     }
 };
 

@@ -4,6 +4,7 @@
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
 
+#include <cstring>
 #include <map>
 #include <random>
 #include <set>
@@ -380,3 +381,27 @@ TEST_CASE("tile_store: slabs hold every tile once, and every other slab reaches 
     slabs_are_apart<3, native_lanes::type<double>, linear>({{0., 0., 0.}, {14., 14., 14.}, 1.});
 #endif
 }
+
+#if defined(_OPENMP)
+TEST_CASE("tile_store: threads sort as one does") {
+    world<2, native_lanes::type<double>> w({{0., 0.}, {60., 40.}, 1.});
+    for (int k = 0; k < 20000; ++k) w.add(w.any_cell());
+    w.store.sort(w.lattice, 0);
+    w.move_some(2);
+    w.store.deliver_all();
+    auto one = w.store, three = w.store;
+    one.sort(w.lattice, 2);
+    three.sort(w.lattice, 2, threads{3});
+    CHECK(three.occupied == one.occupied);
+    REQUIRE(three.slots.size() == one.slots.size());
+    CHECK(std::memcmp(three.slots.data(), one.slots.data(), one.slots.size() * sizeof(one.slots[0])) == 0);
+    REQUIRE(three.tiles.size() == one.tiles.size());
+    for (std::size_t k = 0; k < one.tiles.size(); ++k) {
+        CHECK(three.tiles[k].at == one.tiles[k].at);
+        CHECK(three.tiles[k].first == one.tiles[k].first);
+        CHECK(three.tiles[k].room == one.tiles[k].room);
+    }
+    w.store = std::move(three);
+    w.check_same_as_model();
+}
+#endif
