@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
     add_steps<3>(run, n, "3D", by_hand);
     run.add("3D/quadratic/flip/neo-Hookean", "3D/quadratic/flip",
             [] { return elastic_block<3, double, neo_hookean>(n, quadratic_spline{}, flip{}); });
+    run.add("3D/quadratic/flip/one lane", "3D/quadratic/flip",
+            [] { return elastic_block<3, double>(n, quadratic_spline{}, flip{}, one_lane{}); });
     // Two million particles: beyond the caches.
     by_hand_of(double(), by_hand + "/64 cells", 64);
     run.add("3D/quadratic/flip/64 cells", by_hand + "/64 cells",
