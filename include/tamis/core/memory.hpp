@@ -86,7 +86,7 @@ template <class T> struct aligned_allocator {
         char* const first = reinterpret_cast<char*>(from);
         ::operator delete(first - first[-1]);
     }
-    /// What a vector makes without a value is left as it is: whoever writes it first should be the thread that uses it.
+    /// What a vector makes without a value is left as it is: threads write it first, and so spread its memory.
     template <class U, class... Values> void construct(U* at, Values&&... values) {
         if constexpr (sizeof...(Values) == 0)
             ::new (static_cast<void*>(at)) U;

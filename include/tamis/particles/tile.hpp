@@ -56,7 +56,7 @@ template <class S, class List> class tile_store {
 
     /// Makes the tiles and slots of an empty store for particles in the cells that each_cell(f) gives to f, so that
     /// adding them moves nothing: large bodies would else be copied, and take their memory many times over. Threads
-    /// write their parts first, so that memory lies near the processors.
+    /// write parts of them first, so that memory is spread over that of their processors.
     template <class Lattice, class EachCell, class Execution = serial>
     void prepare(const Lattice& lattice, const EachCell& each_cell, const Execution& run = {}) {
         std::vector<std::array<std::uint32_t, static_cast<std::size_t>(W)>> in_lane;
@@ -182,7 +182,6 @@ template <class S, class List> class tile_store {
             if (tiles[k].count > 0 || !tiles[k].letter.is_none()) order.push_back(k);
         std::sort(order.begin(), order.end(),
                   [&](std::size_t a, std::size_t b) { return tiles[a].node < tiles[b].node; });
-        for (const tile& t : tiles) tile_of_block_[lattice.block_place(t.at)] = 0;
         std::vector<tile> new_tiles;
         new_tiles.reserve(order.size());
         std::size_t needed = 0;
@@ -191,7 +190,6 @@ template <class S, class List> class tile_store {
             t.room = room_of(t);
             t.first = static_cast<std::uint32_t>(needed);
             needed += t.room;
-            tile_of_block_[lattice.block_place(t.at)] = static_cast<int>(new_tiles.size());
         }
         std::vector<slot, aligned_allocator<slot>> new_slots;
         new_slots.reserve(with_growth(needed));
@@ -206,6 +204,10 @@ template <class S, class List> class tile_store {
             }
             for (std::uint32_t s = t.count; s < t.room; ++s) new_slots[t.first + s].set_zero();
         });
+        // From here on nothing throws: where memory did not suffice, all is as it was.
+        for (const tile& t : tiles) tile_of_block_[lattice.block_place(t.at)] = 0;
+        for (std::size_t j = 0; j < new_tiles.size(); ++j)
+            tile_of_block_[lattice.block_place(new_tiles[j].at)] = static_cast<int>(j + 1);
         tiles.swap(new_tiles);
         slots.swap(new_slots);
         occupied.swap(new_occupied);

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <map>
+#include <new>
 #include <random>
 #include <set>
 
@@ -216,6 +217,11 @@ template <int Dim, class T, class Shape> void slabs_are_apart(const uniform_grid
         }
 }
 
+/// An execution policy that has no memory left.
+struct failing {
+    void for_each(std::size_t, const auto&) const { throw std::bad_alloc(); }
+};
+
 }  // namespace
 
 TEST_CASE("tile_store: through random moves, losses and sorting every particle is where the model says") {
@@ -380,6 +386,18 @@ TEST_CASE("tile_store: slabs hold every tile once, and every other slab reaches 
     slabs_are_apart<2, native_lanes::type<double>, cubic_spline>({{0., 0.}, {30., 40.}, 1.});
     slabs_are_apart<3, native_lanes::type<double>, linear>({{0., 0., 0.}, {14., 14., 14.}, 1.});
 #endif
+}
+
+TEST_CASE("tile_store: a sort that fails leaves all as it was") {
+    world<2, native_lanes::type<double>> w({{0., 0.}, {60., 40.}, 1.});
+    for (int k = 0; k < 400; ++k) w.add(w.any_cell());
+    CHECK_THROWS_AS(w.store.sort(w.lattice, 2, failing{}), std::bad_alloc);
+    w.check_same_as_model();
+    // Cells still know their tiles.
+    for (int k = 0; k < 400; ++k) w.add(w.any_cell());
+    w.move_some(2);
+    w.store.deliver_all();
+    w.check_same_as_model();
 }
 
 #if defined(_OPENMP)
