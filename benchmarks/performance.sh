@@ -76,9 +76,9 @@ END
 
 Lanes are what crossing costs: a tile has as many slots as its fullest lane, and particles that wander fill lanes
 unevenly: a step over slots alone is longer by the inverse of the occupancy. What is left is the mailbox, and new tiles.
-Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide; but one of them then takes nearly
-as long ("one lane" in 3D) as a slot of four, so that nothing is gained. The worst case is a jet of scattered single
-particles: one lane of each slot is in use, and a particle costs as much as W.
+Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
+says in 3D, a slot of W particles W times the step above it. With four lanes that gains little. The worst case
+is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
 END
             ;;
             memory) cat << 'END'

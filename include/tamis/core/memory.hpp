@@ -87,12 +87,7 @@ template <class T> struct aligned_allocator {
         ::operator delete(first - first[-1]);
     }
     /// What a vector makes without a value is left as it is: threads write it first, and so spread its memory.
-    template <class U, class... Values> void construct(U* at, Values&&... values) {
-        if constexpr (sizeof...(Values) == 0)
-            ::new (static_cast<void*>(at)) U;
-        else
-            ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
-    }
+    template <class U> void construct(U* at) { ::new (static_cast<void*>(at)) U; }
     template <class U> bool operator==(const aligned_allocator<U>&) const { return true; }
 };
 

@@ -157,10 +157,9 @@ template <class Solver, class... Body> struct passes {
     }
     /// SdV = S^T M S dv; dv, or what else `From` names.
     template <class From = field::increment> void spread_increment() {
-        const bool zero = std::exchange(mpm.image_is_zero_, false);
         if constexpr (C::bands)
             if (bands_pay()) return multiply_increment<From>();
-        if (!zero) set_zero<field::image>();
+        if (!clears_image || !std::exchange(mpm.image_is_zero_, false)) set_zero<field::image>();
         each_body([](auto& b, auto& sweeps) {
             sweeps.template scatter_gathered<fields<const field::mass>, fields<From>, fields<field::image>>(
                 b, spread<From>{});

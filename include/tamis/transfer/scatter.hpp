@@ -9,8 +9,8 @@ namespace tamis::detail {
 /// Numbers that stay in registers while slots go by; four more hold what is added to them.
 inline constexpr int sums_in_registers = TAMIS_VECTOR_REGISTERS - 4;
 /// Numbers for all rows of nodes that are summed at once: some that go to memory cost less than weights kept there and
-/// read again for every row. Measured with sixteen registers: with 20 sums (linear functions in 2D) a step takes a
-/// tenth less, with 45 (quadratic) a tenth more.
+/// read again for every row. By benchmarks/step_2d with sixteen registers: 20 sums (linear functions) are faster at
+/// once, 45 (quadratic) are not.
 inline constexpr int sums_at_once = std::max(sums_in_registers, 24);
 
 /// The fields of a list in groups whose sums, `nodes` for each component, fit into registers.
