@@ -74,8 +74,9 @@ END
             ;;
             crossing) cat << 'END'
 
-Lanes are what crossing costs: a tile has as many slots as its fullest lane, and particles that wander fill lanes
-unevenly: a step over slots alone is longer by the inverse of the occupancy. What is left is the mailbox, and new tiles.
+Most of it is lanes, not crossing: a tile has as many slots as its fullest lane, and particles that have wandered fill
+lanes unevenly, so a step over slots is longer by the inverse of the occupancy. "Stopped" is the block at rest where it had
+drifted to; crossing itself, the mailbox and new tiles, is what is beyond it.
 Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
 says in 3D, a slot of W particles W times the step above it. With four lanes that gains little. The worst case
 is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.

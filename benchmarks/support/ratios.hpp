@@ -60,6 +60,8 @@ class ratio_run {
             ->MinTime(0.1)
             ->Unit(benchmark::kNanosecond);
     }
+    /// One more line of the table: a step that is there beside another one.
+    void compare(const std::string& name, const std::string& with) { steps_.emplace_back(name, with); }
     int run(int argc, char** argv) {
         std::vector<char*> arguments(argv, argv + argc);
         std::string interleave = "--benchmark_enable_random_interleaving=true";

@@ -48,18 +48,17 @@ std::string duration(double seconds) {
 
 struct error_options {
     bool quick = false, full = false, resume = false;
-    std::string out;
+    std::string program, out;
     std::vector<std::string> only;
 };
 
 std::string command_of(const error_options& o) {
-    std::string command = std::string("tamis_report error --") + (o.full ? "full" : "quick");
+    std::string command = o.program + " error --" + (o.full ? "full" : "quick");
     for (const auto& name : o.only) command += " --scene " + name;
     return command + " --out DIR";
 }
 
-int report_errors(const error_options& o) {
-    std::vector<report_scene> scenes = report_scenes();
+int report_errors(const error_options& o, std::vector<report_scene> scenes) {
     if (!o.only.empty()) {
         std::vector<report_scene> chosen;
         for (const auto& name : o.only) {
@@ -198,20 +197,21 @@ bool run_all(const std::vector<report_scene>& scenes, bool full, results_file& r
     return done == all;
 }
 
-void add_error_command(CLI::App& app, int& exit_code) {
-    auto* command = app.add_subcommand("error", "Error against run time of all scenes with an exact answer");
+void add_error_command(CLI::App& app, int& exit_code, const std::vector<report_scene>& scenes) {
+    auto* command = app.add_subcommand("error", "Error against run time of scenes with an exact answer");
     const auto o = std::make_shared<error_options>();
+    o->program = app.get_name();
     auto* quick =
         command->add_flag("--quick", o->quick, "Some compositions of each scene, a minute or two (the default)");
     command->add_flag("--full", o->full, "Many more compositions and resolutions")->excludes(quick);
     command->add_option("--out", o->out, "Folder for errors.csv and error.html")->required();
     command->add_flag("--resume", o->resume, "Go on with the runs of an interrupted report in that folder");
     command->add_option("--scene", o->only, "Only this scene; may be given several times");
-    command->callback([o, &exit_code] {
+    command->callback([o, scenes, &exit_code] {
         try {
-            exit_code = report_errors(*o);
+            exit_code = report_errors(*o, scenes);
         } catch (const std::exception& e) {
-            std::fprintf(stderr, "tamis_report error: %s\n", e.what());
+            std::fprintf(stderr, "%s error: %s\n", o->program.c_str(), e.what());
             exit_code = 1;
         }
     });

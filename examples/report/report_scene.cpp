@@ -26,14 +26,3 @@ void add_admpm(report_scene& scene, const std::vector<std::string>& particles, i
     for (auto* list : {&scene.quick, &scene.full})
         add(*list, scene.name, {{"linear"}, {{"flip", 0}}, {"euler"}, particles, {per_cell}, courants, cells});
 }
-
-std::vector<report_scene> report_scenes() {
-    std::vector<report_scene> all = bar_report_scenes();
-    all.push_back(bi_material_report_scene());
-    all.push_back(gas_wave_report_scene());
-    all.push_back(shock_tube_report_scene());
-    for (const char* profile : {"sine", "step"}) all.push_back(advection_report_scene(profile));
-    all.push_back(manufactured_report_scene(2));
-    all.push_back(manufactured_report_scene(3));
-    return all;
-}

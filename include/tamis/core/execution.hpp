@@ -1,6 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <exception>
@@ -68,4 +69,12 @@ class threads {
     int count_;
 };
 
+namespace detail {
+
+/// f(begin, end) for the chunks of 0 ... n - 1, as `run` runs them; chunks do not depend on how many threads there are.
+template <class Execution, class F> void in_chunks(const Execution& run, std::size_t n, std::size_t chunk, const F& f) {
+    run.for_each((n + chunk - 1) / chunk, [&](std::size_t k) { f(k * chunk, std::min(n, (k + 1) * chunk)); });
+}
+
+}  // namespace detail
 }  // namespace tamis

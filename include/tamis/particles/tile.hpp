@@ -263,8 +263,8 @@ template <class S, class List> class tile_store {
     /// f(k) for k < count, parts of it by threads.
     template <class Execution, class F> static void in_parts(const Execution& run, std::size_t count, const F& f) {
         constexpr std::size_t parts = 32;
-        run.for_each(parts, [&](std::size_t part) {
-            for (std::size_t k = count * part / parts; k < count * (part + 1) / parts; ++k) f(k);
+        in_chunks(run, count, count / parts + 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) f(k);
         });
     }
     /// How many slots there may be before they are sorted. Addresses for them are taken at once, memory when they come:

@@ -34,39 +34,33 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class... F> void set_zero() {
         if constexpr (nodes_type::in_columns)
             nodes_.template set_zero<F...>();
-        else {
-            constexpr std::size_t chunk = 1024;
-            const std::size_t blocks = nodes_.active().size();
-            run_.for_each((blocks + chunk - 1) / chunk, [&](std::size_t k) {
-                nodes_.template set_zero_in<F...>(k * chunk, std::min(blocks, (k + 1) * chunk));
-            });
-        }
+        else
+            in_chunks(run_, nodes_.active().size(), 1024,
+                      [&](std::size_t begin, std::size_t end) { nodes_.template set_zero_in<F...>(begin, end); });
     }
 
     /// kernel(i) for all active nodes, W at a time; i shows the fields of the list.
     template <class... F, class Kernel> void each_node(fields<F...>, Kernel kernel) {
-        constexpr std::size_t chunk = 256;
         const auto& active = nodes_.active();
-        run_.for_each((active.size() + chunk - 1) / chunk, [&](std::size_t k) {
-            node_blocks<fields<F...>>(active.data() + k * chunk, std::min(chunk, active.size() - k * chunk), kernel);
+        in_chunks(run_, active.size(), chunk, [&](std::size_t begin, std::size_t end) {
+            node_blocks<fields<F...>>(active.data() + begin, end - begin, kernel);
         });
     }
 
     /// Sums over all active nodes of the numbers that kernel(i) gives, in an order that does not depend on threads.
     template <std::size_t Count, class... F, class Kernel>
     std::array<real, Count> sum_over_nodes(fields<F...>, Kernel kernel) {
-        constexpr std::size_t chunk = 256;
         const auto& active = nodes_.active();
         const std::size_t chunks = (active.size() + chunk - 1) / chunk;
         parts_.resize(std::max(parts_.size(), chunks * Count));
-        run_.for_each(chunks, [&](std::size_t k) {
-            T* const part = parts_.data() + k * Count;
+        in_chunks(run_, active.size(), chunk, [&](std::size_t begin, std::size_t end) {
+            T* const part = parts_.data() + begin / chunk * Count;
             std::fill_n(part, Count, T(real(0)));
             const auto add = [&](auto i) TAMIS_INLINE_LAMBDA {
                 const std::array<T, Count> more = kernel(i);
                 for (std::size_t c = 0; c < Count; ++c) part[c] += more[c];
             };
-            node_blocks<fields<F...>>(active.data() + k * chunk, std::min(chunk, active.size() - k * chunk), add);
+            node_blocks<fields<F...>>(active.data() + begin, end - begin, add);
         });
         std::array<real, Count> total;
         total.fill(real(0));
@@ -120,12 +114,11 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Bands, class From, class To> void multiply_by_bands() {
         static_assert(S::dim == 1);
         constexpr int count = Bands::template components<S>;
-        constexpr std::size_t chunk = 256;
         const auto& active = nodes_.active();
         const real* const from = nodes_.template column<From>();
         real* const to = nodes_.template column<To>();
-        run_.for_each((active.size() + chunk - 1) / chunk, [&](std::size_t k) {
-            for (std::size_t b = k * chunk; b < std::min(active.size(), (k + 1) * chunk); ++b) {
+        in_chunks(run_, active.size(), chunk, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end; ++b) {
                 const auto place = static_cast<std::ptrdiff_t>(active[b]) * W;
                 T sum = lane<T>::load(nodes_.template column<Bands>(0) + place) * lane<T>::load(from + place);
                 unroll<count - 1>([&](auto j) TAMIS_INLINE_LAMBDA {
@@ -243,6 +236,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
   private:
+    static constexpr std::size_t chunk = 256;  // blocks of nodes that one call of the execution looks at
     const Shape& functions_;
     const lattice_type& lattice_;
     const Execution& run_;

@@ -17,6 +17,21 @@ TEST_CASE("serial: in order, in this thread") {
     CHECK_THROWS_AS(serial{}.for_each(1, [](std::size_t) { throw std::length_error("stop"); }), std::length_error);
 }
 
+TEST_CASE("in_chunks: every number once, in chunks of the size asked for but the last") {
+    for (const std::size_t n : {0u, 1u, 3u, 8u, 9u, 1000u}) {
+        std::vector<std::size_t> seen;
+        std::size_t chunks = 0;
+        detail::in_chunks(serial{}, n, 4, [&](std::size_t begin, std::size_t end) {
+            CHECK(begin == 4 * chunks++);
+            CHECK((end - begin == 4 || (end == n && end > begin)));
+            for (std::size_t k = begin; k < end; ++k) seen.push_back(k);
+        });
+        CHECK(chunks == (n + 3) / 4);
+        REQUIRE(seen.size() == n);
+        for (std::size_t k = 0; k < n; ++k) CHECK(seen[k] == k);
+    }
+}
+
 #if defined(_OPENMP)
 TEST_CASE("threads: every call once, whatever their number") {
     STATIC_REQUIRE(ExecutionPolicy<threads>);
