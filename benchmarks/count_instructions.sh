@@ -1,5 +1,6 @@
 #!/bin/sh
-# sh benchmarks/count_instructions.sh <program>: instructions per particle and step of a FLIP bar, held and moving, by callgrind.
+# sh benchmarks/count_instructions.sh <program>: instructions per particle and step of FLIP, by callgrind: a bar, held and
+# moving, and a block of 12^3 cells with 8 particles each.
 # Two runs of different length: their difference leaves out the set-up. The program is build/*/benchmarks/instructions.
 set -eu
 program=$1
@@ -10,11 +11,16 @@ count() {
         return 1
     }
 }
+# tell MOTION SHAPE PARTICLES STEPS
+tell() {
+    short=$(count "$1" "$2" 20)
+    long=$(count "$1" "$2" $((20 + $4)))
+    awk -v s="$short" -v l="$long" -v n="$1 $2" -v particles="$3" -v steps="$4" \
+        'BEGIN { printf "%-18s %6.1f instructions per particle and step\n", n, (l - s) / (steps * particles) }'
+}
 for shape in linear quadratic; do
     for motion in held moving; do
-        short=$(count $motion $shape 20)
-        long=$(count $motion $shape 120)
-        awk -v s="$short" -v l="$long" -v n="$motion $shape" \
-            'BEGIN { printf "%-18s %6.1f instructions per particle and step\n", n, (l - s) / (100 * 800) }'
+        tell $motion $shape 800 100
     done
+    tell block $shape 13824 10
 done

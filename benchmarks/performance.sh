@@ -59,9 +59,9 @@ END
             ;;
             step_3d) cat << 'END'
 
-What bounds it: arithmetic and its operands. A slot of W particles takes about 1650 instructions (g++ 12, AVX2), 930 to
-nodes and 720 to particles, some 650 of them arithmetic; the rest are loads that do not fold into it, shifts of rows and
-what sixteen registers cannot hold. Bytes: 112 a particle and 56 a node (float: half). The step by hand keeps node fields
+What bounds it: arithmetic and its operands. A particle takes 430 instructions, 1720 a slot of four (quadratic FLIP, g++ 12,
+AVX2, by `benchmarks/count_instructions.sh`), of which less than half is arithmetic; the rest are loads that do not fold into
+it, shifts of rows and what sixteen registers cannot hold. Bytes: 112 a particle and 56 a node (float: half). The step by hand keeps node fields
 in columns and all 21 sums of a row at once; sixteen registers spill them, and each row touches seven pages.
 
 FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes.
@@ -91,7 +91,8 @@ END
             ;;
             scaling) cat << 'END'
 
-Slabs are independent within a colour and there are two colours a scatter; results are those of one thread, bit for bit.
+A thread begins with the same part of the slabs every time, the one whose memory it was the first to write, then takes what
+others have not begun. Slabs are independent within a colour and there are two colours a scatter; results are those of one thread, bit for bit.
 A body is cut into at most 32 slabs across its outermost axis, so a colour has at most 16: that many threads can share a
 scatter, and twice as many a gather. On 64 cores a step is then bound by the scatter at 16 threads' rate, or by memory:
 n cores at T ns a particle ask for 336 n/T GB/s.

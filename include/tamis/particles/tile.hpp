@@ -236,6 +236,15 @@ template <class S, class List> class tile_store {
     template <class... F> TAMIS_INLINE void fetch(const slot* s, fields<F...>) const {
         (fetch(reinterpret_cast<const char*>(&s->template get<F>()), sizeof(s->template get<F>())), ...);
     }
+    /// ... for all up to the last of these,
+    template <class... F> TAMIS_INLINE void fetch_up_to(const slot* s, fields<F...>) const {
+        const char* const first = reinterpret_cast<const char*>(s);
+        std::size_t end = 0;
+        ((end = std::max(end,
+                         static_cast<std::size_t>(reinterpret_cast<const char*>(&s->template get<F>() + 1) - first))),
+         ...);
+        fetch(first, end);
+    }
     /// ... or for all of it.
     TAMIS_INLINE void fetch(const slot* s) const { fetch(reinterpret_cast<const char*>(s), sizeof(slot)); }
     /// Runs f(tile index, first slot of the next tile) over the tiles of slab k, in the order of their nodes.

@@ -17,6 +17,7 @@ struct nothing {};
 
 /// m = S^T M.
 struct mass_to_nodes {
+    using reads = fields<field::mass>;
     TAMIS_INLINE static nothing make(const auto&, const auto&) { return {}; }
     TAMIS_INLINE void operator()(auto p, auto near, const nothing&) const {
         using namespace symbols;
@@ -34,6 +35,9 @@ template <class S, class Shape, class Load, class Sums, bool Mass, bool Momentum
                              fields_if<Force, typename Sums::force>>::type;
     using kinds = load_kinds<Load, point<S::dim, typename S::real>>;
     static constexpr bool loaded = Force && kinds::on_particles, on_faces = loaded && kinds::by_face;
+    using reads =
+        merge<fields<field::mass>, fields_if<Momentum, field::velocity>, fields_if<Force, field::volume, field::stress>,
+              std::conditional_t<loaded, typename kinds::particle_fields, fields<>>>;
     /// What is the same for every node around a particle: M V, V0 tau and what loads give.
     struct carried {
         typename S::vector momentum;

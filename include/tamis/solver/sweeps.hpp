@@ -42,7 +42,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     /// kernel(i) for all active nodes, W at a time; i shows the fields of the list.
     template <class... F, class Kernel> void each_node(fields<F...>, Kernel kernel) {
         const auto& active = nodes_.active();
-        in_chunks(run_, active.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        // A copy of the kernel: what is stored might, for all the compiler knows, change one that it refers to.
+        in_chunks(run_, active.size(), chunk, [&, kernel](std::size_t begin, std::size_t end) {
             node_blocks<fields<F...>>(active.data() + begin, end - begin, kernel);
         });
     }
@@ -73,7 +74,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = kernel.make(slot,
-    /// stencil, frame).
+    /// stencil, frame). Of particles the kernel reads the fields `Kernel::reads` if it says so, else any.
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter(Body& body, Kernel kernel) {
         scatter_onto<Shown, ToNodes>(nodes_, body, kernel);
     }
@@ -87,7 +88,12 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto& slot, const auto&, const auto& at)
                                   TAMIS_INLINE_LAMBDA { return kernel.make(slot, at); };
-            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA {
+                if constexpr (requires { typename Kernel::reads; })
+                    store.fetch_up_to(next + k, merge<typename weigh_type::reads, typename Kernel::reads>{});
+                else
+                    store.fetch(next + k);
+            };
             scatter_tile<Shown, ToNodes>(lattice_, table, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
                                          make, kernel);
         });

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "catch.hpp"
@@ -45,6 +46,23 @@ TEST_CASE("threads: every call once, whatever their number") {
         }
     }
     CHECK(threads{}.count() >= 1);
+}
+
+TEST_CASE("threads: each begins with its own part of the calls, the same one every time") {
+    for (int time = 0; time < 5; ++time) {
+        std::atomic<int> here{0}, there_are{0};
+        std::vector<int> by(10, -1);
+        threads{2}.for_each(10, [&](std::size_t k) {
+            by[k] = omp_get_thread_num();
+            there_are = omp_get_num_threads();
+            // Nobody is late: who has begun waits for the other.
+            if (k % 5 == 0 && there_are == 2)
+                for (++here; here < 2;) std::this_thread::yield();
+        });
+        CHECK(by[0] == 0);
+        CHECK(by[5] == there_are - 1);
+        for (const int thread : by) CHECK(thread >= 0);
+    }
 }
 
 TEST_CASE("threads: an exception comes out as it was thrown, and the other calls are made") {
