@@ -1,5 +1,5 @@
-// Instructions of a FLIP step, for valgrind's callgrind (count_instructions.sh): of a 1D bar, held or moving, or of a 3D
-// block, moving: instructions held|moving|block linear|quadratic <steps>.
+// Instructions of a FLIP step, for valgrind's callgrind (count_instructions.sh): of a 1D bar, held or moving, or of a
+// 3D block, moving: instructions held|moving|block linear|quadratic <steps>.
 #include <tamis/tamis.hpp>
 
 #include "block.hpp"

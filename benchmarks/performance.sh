@@ -76,7 +76,7 @@ END
 
 Most of it is lanes, not crossing: a tile has as many slots as its fullest lane, and particles that have wandered fill
 lanes unevenly, so a step over slots is longer by the inverse of the occupancy. "Stopped" is the block at rest where it had
-drifted to; crossing itself, the mailbox and new tiles, is what is beyond it.
+drifted to; crossing itself, the mailbox and new tiles, is what is beyond it, as far as the mean occupancies agree.
 Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
 says in 3D, a slot of W particles W times the step above it. With four lanes that gains little. The worst case
 is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
@@ -91,8 +91,8 @@ END
             ;;
             scaling) cat << 'END'
 
-A thread begins with the same part of the slabs every time, the one whose memory it was the first to write, then takes what
-others have not begun. Slabs are independent within a colour and there are two colours a scatter; results are those of one thread, bit for bit.
+A thread begins with the same part of the slabs every time, about the one whose memory it was the first to write, then takes
+what others have not begun. Slabs are independent within a colour and there are two colours a scatter; results are those of one thread, bit for bit.
 A body is cut into at most 32 slabs across its outermost axis, so a colour has at most 16: that many threads can share a
 scatter, and twice as many a gather. On 64 cores a step is then bound by the scatter at 16 threads' rate, or by memory:
 n cores at T ns a particle ask for 336 n/T GB/s.

@@ -38,7 +38,6 @@ draw() {
 # report PROGRAM KIND FOLDER: its pictures are gnuplot's.
 report() {
     if command -v gnuplot > /dev/null; then
-        rm -rf "$3"
         "build/demo/examples/report/$1" "$2" --quick --out "$3"
     else
         echo "gnuplot is not installed, so the report of $2 is not made."
@@ -55,6 +54,7 @@ for scene in standing_wave reflection shock; do
     draw "$scene" "out/$scene"
 done
 echo "== Report: error against run time, the bar's scenes"
+rm -rf out/bar_report
 report tamis_bar_report error out/bar_report
 
 if [ "$all" = yes ]; then
@@ -64,6 +64,7 @@ if [ "$all" = yes ]; then
         draw "$scene" "out/$scene.csv"
     done
     echo "== Reports: error against run time of all scenes, stability"
+    rm -rf out/report
     report tamis_report error out/report
     report tamis_report stability out/report
 fi

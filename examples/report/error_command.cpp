@@ -197,7 +197,7 @@ bool run_all(const std::vector<report_scene>& scenes, bool full, results_file& r
     return done == all;
 }
 
-void add_error_command(CLI::App& app, int& exit_code, const std::vector<report_scene>& scenes) {
+void add_error_command(CLI::App& app, int& exit_code, std::vector<report_scene> (*scenes)()) {
     auto* command = app.add_subcommand("error", "Error against run time of scenes with an exact answer");
     const auto o = std::make_shared<error_options>();
     o->program = app.get_name();
@@ -209,7 +209,7 @@ void add_error_command(CLI::App& app, int& exit_code, const std::vector<report_s
     command->add_option("--scene", o->only, "Only this scene; may be given several times");
     command->callback([o, scenes, &exit_code] {
         try {
-            exit_code = report_errors(*o, scenes);
+            exit_code = report_errors(*o, scenes());
         } catch (const std::exception& e) {
             std::fprintf(stderr, "%s error: %s\n", o->program.c_str(), e.what());
             exit_code = 1;

@@ -16,5 +16,6 @@ measurement measure(const report_scene& scene, const configuration& what, const 
 bool run_all(const std::vector<report_scene>& scenes, bool full, results_file& results, const std::atomic<bool>& stop,
              const std::function<void(std::size_t, std::size_t, double, const configuration&)>& tell);
 
-/// `tamis_report error`, of the given scenes. The exit code: 0, 1 if something failed, 130 if it was interrupted.
-void add_error_command(CLI::App& app, int& exit_code, const std::vector<report_scene>& scenes);
+/// `tamis_report error`, of the scenes that `scenes` makes when it is called for. The exit code: 0, 1 if something
+/// failed, 130 if it was interrupted.
+void add_error_command(CLI::App& app, int& exit_code, std::vector<report_scene> (*scenes)());

@@ -68,7 +68,8 @@ class threads {
                              static_cast<std::size_t>(omp_get_num_threads());
             for (std::size_t p = own; p < own + parts; ++p) {
                 const std::size_t of = p % parts, end = n * (of + 1) / parts;
-                for (;;) {
+                // Where all are begun counters are only read: writes would wait for each other.
+                while (part[of].next.load(std::memory_order_relaxed) < end) {
                     const std::size_t k = part[of].next.fetch_add(1, std::memory_order_relaxed);
                     if (k >= end) break;
                     try {

@@ -267,6 +267,8 @@ template <class S, class List> class tile_store {
 #if defined(__GNUC__)
         constexpr std::size_t line = 64;
         for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(first + at, 1);
+        // Slots that begin in the middle of a line end in one more.
+        if constexpr (sizeof(slot) % line != 0) __builtin_prefetch(first + bytes - 1, 1);
 #endif
     }
     /// f(k) for k < count, parts of it by threads.
