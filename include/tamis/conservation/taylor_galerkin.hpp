@@ -225,6 +225,7 @@ class taylor_galerkin {
         }
         static constexpr bool clears_image = true;
         void image_is_zero() { zero = true; }
+        static constexpr bool reads_last_increment = true;
         template <class> void hold_increment(bool) { of.hold_change(end); }
     };
 

@@ -169,6 +169,8 @@ template <class Solver, class... Body> struct passes {
     /// Should whoever uses SdV set it to zero? Not where the assembled matrix may write it whole.
     static constexpr bool clears_image = !C::bands;
     void image_is_zero() { mpm.image_is_zero_ = true; }
+    /// Does anybody look at the last increment of a series, beyond its sum?
+    static constexpr bool reads_last_increment = Solver::held_type::any || C::own_velocities;
     template <class Sum> void hold_increment(bool felt) {
         if constexpr (C::own_velocities)
             if constexpr (C::touch::method_type::terms != contact_terms::untouched)

@@ -37,13 +37,18 @@ template <class From, class To> struct copy_field {
 };
 /// dv = A u = u - m^-1 S^T M S u of the field `From`, added to `To`; dv is in `Term`, S^T M S u in `Image`. `Clears`:
 /// the image is zero then, as the next sum needs it. Its memory is at hand here, and would not be in a pass of its own.
-template <class From, class To, class Term, class Image, bool Clears> struct next_increment {
+/// `Keeps`: dv is read again; else it is not written.
+template <class From, class To, class Term, class Image, bool Clears, bool Keeps> struct next_increment {
     using image = std::conditional_t<Clears, Image, const Image>;
-    using list = typename concatenate<fields_if<!std::same_as<From, Term> && !std::same_as<From, To>, const From>,
-                                      fields<const field::inverse_mass, image, Term, To>>::type;
+    using list =
+        typename concatenate<fields_if<!(Keeps && std::same_as<From, Term>)&&!std::same_as<From, To>, const From>,
+                             fields<const field::inverse_mass, image>, fields_if<Keeps, Term>, fields<To>>::type;
     TAMIS_INLINE void operator()(auto i) const {
-        i[Term{}] = i[From{}] - i[symbols::im] * i[Image{}];
-        i[To{}] += i[Term{}];
+        if constexpr (Keeps) {
+            i[Term{}] = i[From{}] - i[symbols::im] * i[Image{}];
+            i[To{}] += i[Term{}];
+        } else
+            i[To{}] += i[From{}] - i[symbols::im] * i[Image{}];
         if constexpr (Clears) i[Image{}].setZero();
     }
 };
@@ -92,17 +97,26 @@ template <class T> struct add_acceleration {
 /// A = I - S+ S and S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist 2021). By increments: the sum with
 /// alternating binomials is the same in exact arithmetic, but loses k log10(2) digits. `felt`: do particles feel what
 /// conditions take from the increments?
-template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
+template <class To, class From, class Term = field::increment, class Image = field::image, bool Keeps = true,
+          class Pass>
 void add_term(bool felt, Pass& pass) {
     pass.template spread_increment<From>();
-    pass.nodes(next_increment<From, To, Term, Image, Pass::clears_image>{});
+    pass.nodes(next_increment<From, To, Term, Image, Pass::clears_image, Keeps>{});
     if constexpr (Pass::clears_image) pass.image_is_zero();
     pass.template hold_increment<To>(felt);
 }
 template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
 void add_series(int terms, bool felt, Pass& pass) {
-    if (terms > 1) add_term<To, From, Term, Image>(felt, pass);
-    for (int l = 2; l < terms; ++l) add_term<To, Term, Term, Image>(felt, pass);
+    if constexpr (Pass::reads_last_increment) {
+        if (terms > 1) add_term<To, From, Term, Image>(felt, pass);
+        for (int l = 2; l < terms; ++l) add_term<To, Term, Term, Image>(felt, pass);
+    } else {
+        if (terms == 2) add_term<To, From, Term, Image, false>(felt, pass);
+        if (terms <= 2) return;
+        add_term<To, From, Term, Image>(felt, pass);
+        for (int l = 2; l < terms - 1; ++l) add_term<To, Term, Term, Image>(felt, pass);
+        add_term<To, Term, Term, Image, false>(felt, pass);
+    }
 }
 
 }  // namespace detail
