@@ -69,7 +69,9 @@ END
             ;;
             step_2d) cat << 'END'
 
-As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more.
+As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more. Beyond the caches FMPM(k) waits
+for memory: all fields of four nodes lie side by side, so each sweep and each pass over nodes moves all of them, 72 bytes a
+node in and out.
 END
             ;;
             crossing) cat << 'END'

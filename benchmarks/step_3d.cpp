@@ -25,6 +25,10 @@ int main(int argc, char** argv) {
     by_hand_of(double(), by_hand + "/64 cells", 64);
     run.add("3D/quadratic/flip/64 cells", by_hand + "/64 cells",
             [] { return elastic_block<3, double>(64, quadratic_spline{}, flip{}); });
+    run.add("3D/quadratic/fmpm(2)/64 cells", "3D/quadratic/flip/64 cells",
+            [] { return elastic_block<3, double>(64, quadratic_spline{}, fmpm<2>{}); });
+    run.add("3D/quadratic/fmpm(4)/64 cells", "3D/quadratic/flip/64 cells",
+            [] { return elastic_block<3, double>(64, quadratic_spline{}, fmpm<4>{}); });
     by_hand_of(float(), by_hand + "/64 cells, float", 64);
     run.add("3D/quadratic/flip/64 cells, float", by_hand + "/64 cells, float",
             [] { return elastic_block<3, float>(64, quadratic_spline{}, flip{}); });
