@@ -59,26 +59,27 @@ END
             ;;
             step_3d) cat << 'END'
 
-What bounds it: arithmetic and its operands. A particle takes 430 instructions, 1720 a slot of four (quadratic FLIP, g++ 12,
-AVX2, by `benchmarks/count_instructions.sh`), of which less than half is arithmetic; the rest are loads that do not fold into
-it, shifts of rows and what sixteen registers cannot hold. Bytes: 112 a particle and 56 a node (float: half). The step by hand keeps node fields
-in columns and all 21 sums of a row at once; sixteen registers spill them, and each row touches seven pages.
+What bounds it: arithmetic and its operands. A particle takes 430 instructions, 1720 a slot of four (quadratic FLIP,
+g++ 12, AVX2, by `benchmarks/count_instructions.sh`): arithmetic, loads that do not fold into it, shifts of rows, and what
+sixteen registers cannot hold. Bytes: 112 a particle and 56 a node (float: half). The step by hand keeps node fields in
+columns and all 21 sums of a row at once; sixteen registers spill them, and each row touches seven pages.
 
 FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes.
 END
             ;;
             step_2d) cat << 'END'
 
-As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more. Beyond the caches FMPM(k) waits
-for memory: all fields of four nodes lie side by side, so each sweep and each pass over nodes moves all of them, 72 bytes a
-node in and out.
+As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more. Beyond the caches
+FMPM(k) waits for memory: all fields of four nodes lie side by side, so each sweep and each pass over nodes moves all of
+them, 72 bytes a node in and out.
 END
             ;;
             crossing) cat << 'END'
 
-Most of it is lanes, not crossing: a tile has as many slots as its fullest lane, and particles that have wandered fill
-lanes unevenly, so a step over slots is longer by the inverse of the occupancy. "Stopped" is the block at rest where it had
-drifted to; crossing itself, the mailbox and new tiles, is what is beyond it, as far as the mean occupancies agree.
+Most of it is not crossing itself. A tile has as many slots as its fullest lane, and particles that have wandered fill
+lanes unevenly: a step over slots is longer by the inverse of the occupancy, and the slots, with spare ones between them,
+take more of caches and memory. "Stopped" is the block at rest where it had drifted to; crossing, the mailbox and new
+tiles, is what is beyond it, as far as the mean occupancies agree.
 Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
 says in 3D, a slot of W particles W times the step above it. With four lanes that gains little. The worst case
 is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
@@ -93,11 +94,11 @@ END
             ;;
             scaling) cat << 'END'
 
-A thread begins with the same part of the slabs every time, about the one whose memory it was the first to write, then takes
-what others have not begun. Slabs are independent within a colour and there are two colours a scatter; results are those of one thread, bit for bit.
-A body is cut into at most 32 slabs across its outermost axis, so a colour has at most 16: that many threads can share a
-scatter, and twice as many a gather. On 64 cores a step is then bound by the scatter at 16 threads' rate, or by memory:
-n cores at T ns a particle ask for 336 n/T GB/s.
+A thread begins with the same part of the slabs every time, about the one whose memory it was the first to write, then
+takes what others have not begun. Slabs are independent within a colour and there are two colours a scatter; results are
+those of one thread, bit for bit. A body is cut into at most 32 slabs across its outermost axis, so a colour has at most
+16: that many threads can share a scatter, and twice as many a gather. On 64 cores a step is then bound by the scatter at
+16 threads' rate, or by memory: n cores at T ns a particle ask for 336 n/T GB/s.
 
 On a virtual machine the gain falls when the host lends the second processor to others; nanoseconds then rise too.
 END

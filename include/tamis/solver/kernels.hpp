@@ -72,6 +72,7 @@ template <class S, class Shape, class Load, class Sums, bool Mass, bool Momentum
 
 /// What contact measures on nodes: mass gradient, mean place of the particles.
 template <class S, class Shape, bool Gradient, bool Place> struct contact_to_nodes {
+    using reads = fields<field::mass>;
     template <class Slot> TAMIS_INLINE typename S::vector make(const Slot& slot, const frame<S>& at) const {
         typename S::vector moment = S::vector::Constant(typename S::scalar(typename S::real(0)));
         if constexpr (Place) moment = places<S, Shape>(slot, at) * slot.template get<field::mass>();

@@ -74,7 +74,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = kernel.make(slot,
-    /// stencil, frame). Of particles the kernel reads the fields `Kernel::reads` if it says so, else any.
+    /// stencil, frame). Of particles the kernel reads the fields `Kernel::reads`.
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter(Body& body, Kernel kernel) {
         scatter_onto<Shown, ToNodes>(nodes_, body, kernel);
     }
@@ -83,17 +83,13 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     void scatter_onto(Table& table, Body& body, Kernel kernel) {
         auto& store = body.store();
         const bool mail = store.has_mail();
+        using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
         each_tile_by_colour(store, [&](tile& t, const auto* next) {
             if (mail) store.deliver(t);
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto& slot, const auto&, const auto& at)
                                   TAMIS_INLINE_LAMBDA { return kernel.make(slot, at); };
-            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA {
-                if constexpr (requires { typename Kernel::reads; })
-                    store.fetch_up_to(next + k, merge<typename weigh_type::reads, typename Kernel::reads>{});
-                else
-                    store.fetch(next + k);
-            };
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch_up_to(next + k, reads{}); };
             scatter_tile<Shown, ToNodes>(lattice_, table, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
                                          make, kernel);
         });

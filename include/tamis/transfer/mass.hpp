@@ -107,16 +107,12 @@ void add_term(bool felt, Pass& pass) {
 }
 template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
 void add_series(int terms, bool felt, Pass& pass) {
-    if constexpr (Pass::reads_last_increment) {
-        if (terms > 1) add_term<To, From, Term, Image>(felt, pass);
-        for (int l = 2; l < terms; ++l) add_term<To, Term, Term, Image>(felt, pass);
-    } else {
-        if (terms == 2) add_term<To, From, Term, Image, false>(felt, pass);
-        if (terms <= 2) return;
-        add_term<To, From, Term, Image>(felt, pass);
-        for (int l = 2; l < terms - 1; ++l) add_term<To, Term, Term, Image>(felt, pass);
-        add_term<To, Term, Term, Image, false>(felt, pass);
-    }
+    constexpr bool keeps_last = Pass::reads_last_increment;
+    if (terms < 2) return;
+    if (terms == 2) return add_term<To, From, Term, Image, keeps_last>(felt, pass);
+    add_term<To, From, Term, Image>(felt, pass);
+    for (int l = 2; l < terms - 1; ++l) add_term<To, Term, Term, Image>(felt, pass);
+    add_term<To, Term, Term, Image, keeps_last>(felt, pass);
 }
 
 }  // namespace detail

@@ -28,6 +28,7 @@ struct no_law {
     template <class Tensor> Tensor stress(auto, const Tensor& L, auto) const { return L; }
 };
 struct mass_and_momentum {
+    using reads = fields<field::mass, field::velocity>;
     static int make(const auto&, const auto&) { return 0; }
     void operator()(auto p, auto near, int) const {
         for (const auto& [i, w, dw] : near) {
@@ -138,6 +139,7 @@ struct without_pivot {
 };
 /// All sums of the step: more than registers hold, so that they are made in groups.
 struct all_sums {
+    using reads = fields<field::mass, field::velocity>;
     static int make(const auto&, const auto&) { return 0; }
     void operator()(auto p, auto near, int) const {
         for (const auto& [i, w, dw] : near) {
