@@ -175,7 +175,7 @@ TEST_CASE("full mass: a thousand increments are exact where the sum with binomia
     CHECK_FALSE(off(by_binomials(1000), exact(1000)) < 1e100);
 }
 
-TEST_CASE("full mass: bands of the matrix are kept in 1D where they pay, and nowhere else") {
+TEST_CASE("full mass: entries of the matrix are kept where they pay, and nowhere else") {
     const auto keeps = []<int D, class... Policy>(const uniform_grid<D, double>&, const Policy&...) {
         using C = detail::composition<uniform_grid<D, double>, Policy...>;
         using kept = field::mass_band<C::shape::support>;
@@ -183,6 +183,7 @@ TEST_CASE("full mass: bands of the matrix are kept in 1D where they pay, and now
     };
     const uniform_grid<1, double> line{{0.}, {1.}, 0.1};
     const uniform_grid<2, double> square{{0., 0.}, {1., 1.}, 0.1};
+    const uniform_grid<3, double> cube{{0., 0., 0.}, {1., 1., 1.}, 0.1};
     CHECK(keeps(line, linear{}, fmpm<2>{}, held{}));
     CHECK(keeps(line, linear{}, fmpm<3>{}));
     CHECK(keeps(line, quadratic_spline{}, xpic<3>{}));
@@ -192,7 +193,15 @@ TEST_CASE("full mass: bands of the matrix are kept in 1D where they pay, and now
     CHECK_FALSE(keeps(line, cubic_spline{}, fmpm<3>{}));
     CHECK_FALSE(keeps(line, linear{}, flip{}, held{}));
     CHECK_FALSE(keeps(line, linear{}, exact_fmpm{}));
-    CHECK_FALSE(keeps(square, linear{}, fmpm<4>{}, held{}));
+    CHECK(keeps(square, linear{}, fmpm<3>{}));
+    CHECK(keeps(square, linear{}, fmpm<dynamic>{2}));
+    CHECK(keeps(square, cubic_spline{}, xpic<3>{}, held{}));
+    CHECK(keeps(cube, linear{}, fmpm<3>{}, held{}));
+    CHECK_FALSE(keeps(square, linear{}, fmpm<2>{}));
+    CHECK_FALSE(keeps(square, linear{}, fmpm<2>{}, held{}));
+    CHECK_FALSE(keeps(square, quadratic_spline{}, fmpm<4>{}));
+    CHECK_FALSE(keeps(cube, linear{}, fmpm<4>{}));
+    CHECK_FALSE(keeps(cube, quadratic_spline{}, fmpm<4>{}, held{}));
 }
 
 TEST_CASE("full mass: every boundary method tells the reaction that balances momentum") {

@@ -13,7 +13,7 @@ template <class Law> void each_1d(Law law) {
 }
 template <class Law> void each_2d(Law law) {
     law(composed{quadratic_spline{}, flip{}, usl_plus{}, held{}});
-    law(composed{cubic_spline{}, fmpm<dynamic>{2}, usavg_minus{}, held{}});
+    law(composed{cubic_spline{}, fmpm<dynamic>{3}, usavg_minus{}, held{}});
     law(composed{cubic_spline{}, modified_flip{0.5}, usf{}, held{}});
 }
 template <class Law> void each_3d(Law law) {

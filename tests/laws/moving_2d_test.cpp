@@ -17,6 +17,7 @@ template <class Law> void each(Law law) {
     law(composed{quadratic_spline{}, fmpm<dynamic>{4}, usl_plus{}});
     law(composed{quadratic_spline{}, modified_flip{0.5}, usavg_plus{}});
     law(composed{linear{}, fmpm<1>{}, usl_minus{}});
+    law(composed{linear{}, fmpm<dynamic>{3}, usavg_minus{}});
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ TEST_CASE("periodic grid: the wall is nowhere") {
     wall_is_nowhere(ring(), {5}, 0, linear{}, fmpm<dynamic>{3}, usl_minus{}, held{});
     wall_is_nowhere(ring(), {5}, 0.7, quadratic_spline{}, fmpm<dynamic>{3}, usavg_plus{});
     wall_is_nowhere(torus(), {5, 2}, 0, cubic_spline{}, flip{}, usf{}, held{});
+    wall_is_nowhere(torus(), {5, 2}, 0, linear{}, fmpm<3>{}, usl_minus{}, held{});
 }
 
 TEST_CASE("periodic grid: a body that flies on is where it should be") {

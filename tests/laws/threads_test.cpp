@@ -74,6 +74,7 @@ void same_for_any_number(Shape shape, Transfer transfer, Order order) {
 TEST_CASE("threads: two bodies in 2D end the same, bit for bit, for any number of them") {
     same_for_any_number<2>(quadratic_spline{}, flip{}, usl_minus{});
     same_for_any_number<2>(cubic_spline{}, fmpm<3>{}, usl_plus{});
+    same_for_any_number<2>(linear{}, fmpm<4>{}, usavg_plus{});
 }
 TEST_CASE("threads: two bodies in 3D end the same, bit for bit, for any number of them") {
     same_for_any_number<3>(quadratic_spline{}, flip{}, usl_plus{});

@@ -71,6 +71,20 @@ template <class S, class Shape> class lattice {
         else
             return static_cast<std::size_t>(r % N) * row_ + static_cast<std::size_t>(r / N) * plane_;
     }
+    /// How much further in storage the row of nodes is that is so many rows further along y and z.
+    std::ptrdiff_t row_step(const std::array<int, 2>& rows_further) const {
+        std::ptrdiff_t step = 0;
+        if constexpr (D > 1) step += rows_further[0] * static_cast<std::ptrdiff_t>(row_);
+        if constexpr (D > 2) step += rows_further[1] * static_cast<std::ptrdiff_t>(plane_);
+        return step;
+    }
+    /// How far apart in storage nodes around one particle may be, in whole blocks, and a block more.
+    std::size_t reach() const {
+        std::size_t farthest = static_cast<std::size_t>(2 * W + N);
+        if constexpr (D > 1) farthest += static_cast<std::size_t>(N - 1) * row_;
+        if constexpr (D > 2) farthest += static_cast<std::size_t>(N - 1) * plane_;
+        return farthest;
+    }
     /// Storage place of grid node (i, j, k).
     std::size_t node_place(const cell_index& node) const {
         std::size_t place = static_cast<std::size_t>(node[0] + ghosts<Shape>);

@@ -21,10 +21,14 @@ template <class S, class List> class node_table {
     static constexpr int components = row::components;
     static constexpr bool in_columns = S::dim == 1;
 
-    /// Memory is taken for nodes in use only. Throws `error` if there are too many nodes for it.
-    explicit node_table(std::size_t places)
+    /// Memory is taken for nodes in use only. So many places before the first and after the last may be read: they are
+    /// zero. Throws `error` if there are too many nodes for it.
+    explicit node_table(std::size_t places, std::size_t reach = 0)
         // Not a power of two: columns stay out of each other's cache sets.
-        : places_(places), stride_((places + 63) / 64 * 64 + 80), data_(allocate(places, stride_)) {}
+        : places_(places),
+          stride_((places + 63) / 64 * 64 + 80),
+          data_(allocate(places, margin(reach) + stride_ * static_cast<std::size_t>(components) + margin(reach))),
+          first_(data_.data() + margin(reach)) {}
 
     /// Where the numbers are. A copy of it stays in registers: no store to a node can change it.
     struct columns_type {
@@ -34,19 +38,20 @@ template <class S, class List> class node_table {
             static_assert(in_columns);
             return first + static_cast<std::size_t>(row::template first<F>() + c) * stride;
         }
-        template <class F> TAMIS_INLINE real* block(std::size_t place, int c = 0) const {
+        /// `place` may be before the first one, by the reach that the table was made for.
+        template <class F, class Place> TAMIS_INLINE real* block(Place place, int c = 0) const {
+            const auto at = static_cast<std::ptrdiff_t>(place);
             if constexpr (in_columns)
-                return column<F>(c) + place;
+                return column<F>(c) + at;
             else
-                return first + place * static_cast<std::size_t>(components) +
-                       static_cast<std::size_t>((row::template first<F>() + c) * S::width);
+                return first + at * components + (row::template first<F>() + c) * S::width;
         }
     };
     TAMIS_INLINE columns_type columns() const { return {first_, stride_}; }
     /// Component c of field F, over all places, in 1D.
     template <class F> TAMIS_INLINE real* column(int c = 0) const { return columns().template column<F>(c); }
     /// Component c of field F at W places, the first a multiple of W.
-    template <class F> TAMIS_INLINE real* block(std::size_t place, int c = 0) const {
+    template <class F, class Place> TAMIS_INLINE real* block(Place place, int c = 0) const {
         return columns().template block<F>(place, c);
     }
     /// ... at one place.
@@ -127,12 +132,16 @@ template <class S, class List> class node_table {
         for (int c = 0; c < F::template components<S>; ++c)
             for (const auto& r : runs_) std::fill_n(column<F>(c) + r.first, r.count, real(0));
     }
-    static zeros<real> allocate(std::size_t places, std::size_t stride) {
+    /// Numbers before the first place, as many as after the last; whole cache lines.
+    static std::size_t margin(std::size_t reach) {
+        return (reach + 63) / 64 * 64 * static_cast<std::size_t>(in_columns ? 1 : components);
+    }
+    static zeros<real> allocate(std::size_t places, std::size_t count) {
         try {
             // Blocks of places have 32-bit numbers.
             if (places / static_cast<std::size_t>(S::width) >= std::numeric_limits<std::uint32_t>::max())
                 throw std::bad_alloc();
-            return zeros<real>(margin + stride * static_cast<std::size_t>(components));
+            return zeros<real>(count);
         } catch (const std::bad_alloc&) {
             throw error(sentence("the grid's ", places, " nodes are more than can be numbered; take fewer cells"));
         }
@@ -145,11 +154,9 @@ template <class S, class List> class node_table {
                                  sizeof(real) * static_cast<std::size_t>(components),
                                  " bytes each, which this machine has not; take fewer cells"));
     }
-    /// Zeros before the first place, as there are after the last: neighbours of a column's ends may be read.
-    static constexpr std::size_t margin = 64;
     std::size_t places_, stride_;
     zeros<real> data_;
-    real* first_ = data_.data() + margin;
+    real* first_;
     std::vector<std::uint32_t> active_;
     std::vector<run> runs_;
 };

@@ -70,10 +70,27 @@ template <class Solver, class... Body> struct passes {
         else
             loads = &none;
         using kernel = to_nodes<S, typename C::shape, load, typename C::sums, mass, Momentum, Force>;
-        each_body([&](auto& b, auto& sweeps) {
-            sweeps.template scatter<fields<const field::mass>, typename kernel::list>(b, kernel{*loads, mpm.time_});
-        });
+        const kernel sum{*loads, mpm.time_};
+        using shown = fields<const field::mass>;
+        bool assembled = false;
+        if constexpr (mass && C::bands)
+            if (matrix_is_due()) {
+                each_body([&](auto& b, auto& sweeps) {
+                    sweeps.template scatter_and_assemble<shown, typename kernel::list>(b, sum);
+                });
+                mpm.bands_made_for_ = mpm.weights_.number();
+                assembled = true;
+            }
+        if (!assembled)
+            each_body([&](auto& b, auto& sweeps) { sweeps.template scatter<shown, typename kernel::list>(b, sum); });
         wrap(typename kernel::list{});
+    }
+    /// Fields that `extrapolate` is to add masses and others to become zero, and the entries of the full mass matrix if
+    /// they will be assembled by the way.
+    template <class... F> void clear_sums() {
+        if constexpr (C::bands)
+            if (matrix_is_due()) return set_zero<F..., field::mass_band<C::shape::support>>();
+        set_zero<F...>();
     }
     /// Sums of particles at the two places of a node at a periodic wall are one.
     template <class... F> void wrap(fields<F...> list) {
@@ -157,27 +174,38 @@ template <class Solver, class... Body> struct passes {
     }
     /// SdV = S^T M S dv; dv, or what else `From` names.
     template <class From = field::increment> void spread_increment() {
-        if constexpr (C::bands)
-            if (bands_pay()) return multiply_increment<From>();
-        if (!clears_image || !std::exchange(mpm.image_is_zero_, false)) set_zero<field::image>();
-        each_body([](auto& b, auto& sweeps) {
-            sweeps.template scatter_gathered<fields<const field::mass>, fields<From>, fields<field::image>>(
-                b, spread<From>{});
-        });
+        if (bands_pay()) {
+            assemble();
+            multiply<From>(store_product<field::image>{});
+        } else if constexpr (!always_bands) {
+            if (!clears_image || !std::exchange(mpm.image_is_zero_, false)) set_zero<field::image>();
+            each_body([](auto& b, auto& sweeps) {
+                sweeps.template scatter_gathered<fields<const field::mass>, fields<From>, fields<field::image>>(
+                    b, spread<From>{});
+            });
+        }
         wrap(fields<field::image>{});
+    }
+    /// May a term of a series be made in one pass over nodes, by the assembled matrix?
+    bool multiplies() const { return bands_pay() && !any_axis_wraps(mpm.lattice_); }
+    /// Term = A From, added to `To`; not written if nobody is to read it.
+    template <class From, class To, class Term> void add_product(bool keeps) {
+        if constexpr (C::bands) {
+            assemble();
+            multiply<From>(add_product_as_term<From, To, Term>{keeps});
+        }
     }
     /// Should whoever uses SdV set it to zero? Not where the assembled matrix may write it whole.
     static constexpr bool clears_image = !C::bands;
     void image_is_zero() { mpm.image_is_zero_ = true; }
     /// Does anybody look at the last increment of a series, beyond its sum?
     static constexpr bool reads_last_increment = Solver::held_type::any || C::own_velocities;
-    template <class Sum> void hold_increment(bool felt) {
+    template <class Sum, class Increment = field::increment> void hold_increment(bool felt) {
         if constexpr (C::own_velocities)
             if constexpr (C::touch::method_type::terms != contact_terms::untouched)
-                mpm.contact_.template increment<field::increment, Sum>(tables(), inverse_dt, felt,
-                                                                       std::exchange(first_increment, false));
-        each_held(
-            [&](auto& held, auto& table) { held.template increment<field::increment, Sum>(table, inverse_dt, felt); });
+                mpm.contact_.template increment<Increment, Sum>(tables(), inverse_dt, felt,
+                                                                std::exchange(first_increment, false));
+        each_held([&](auto& held, auto& table) { held.template increment<Increment, Sum>(table, inverse_dt, felt); });
     }
     /// sqrt(sum m dv^2 / sum m) over nodes (m/s).
     double increment_size() {
@@ -258,25 +286,33 @@ template <class Solver, class... Body> struct passes {
             return true;
     }();
 
+    static constexpr int bands_from = bands_pay_from<C::dim, typename C::shape, C::moves>;
+    /// Is the matrix assembled for whatever number of terms there can be?
+    static constexpr bool always_bands = C::bands && (bands_from <= 2 || terms_of<typename C::mass> != dynamic);
     bool bands_pay() const {
-        if (any_axis_wraps(mpm.lattice_)) return false;
-        if constexpr (C::moves)
-            return mpm.transfer_.mass.terms() >= bands_pay_from<typename C::shape>;
+        if constexpr (C::bands && !always_bands)
+            return mpm.transfer_.mass.terms() >= bands_from;
         else
-            return true;
+            return C::bands;
     }
-    /// SdV by the assembled matrix, which is made anew when weights have changed.
-    template <class From> void multiply_increment() {
-        using band = field::mass_band<C::shape::support>;
-        if (mpm.bands_made_for_ != mpm.weights_.number()) {
-            set_zero<band>();
-            each_body([](auto& b, auto& sweeps) {
-                sweeps.template scatter_weights<fields<const field::mass>, fields<band>>(
-                    b, bands_to_nodes<C::shape::support>{});
-            });
+    /// Will this step multiply by the matrix of where the particles are now?
+    bool matrix_is_due() const {
+        if constexpr (requires { mpm.transfer_.mass.due; })
+            if (!mpm.transfer_.mass.due) return false;
+        return bands_pay() && mpm.transfer_.mass.terms() > 1;
+    }
+    /// The entries of the full mass matrix, made anew when weights have changed.
+    void assemble() {
+        if constexpr (C::bands) {
+            if (mpm.bands_made_for_ == mpm.weights_.number()) return;
+            set_zero<field::mass_band<C::shape::support>>();
+            each_body([](auto& b, auto& sweeps) { sweeps.assemble_matrix(b); });
             mpm.bands_made_for_ = mpm.weights_.number();
         }
-        for (auto& field : mpm.fields_) field.sweeps.template multiply_by_bands<band, From, field::image>();
+    }
+    template <class From, class Use> void multiply(const Use& use) {
+        if constexpr (C::bands)
+            for (auto& field : mpm.fields_) field.sweeps.template multiply_by_matrix<From>(use);
     }
     template <class Gradient, bool Strains, class B, class Sweeps>
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {

@@ -196,8 +196,10 @@ template <class Grid, class... Policies> class solver {
         using sums = typename C::sums;
         const bool made = sums_are_made(all);
         if constexpr (order::before > 0) {
-            if constexpr (C::moves) now.template set_zero<field::mass>();
-            now.template set_zero<field::momentum>();
+            if constexpr (C::moves)
+                now.template clear_sums<field::mass, field::momentum>();
+            else
+                now.template set_zero<field::momentum>();
             now.template extrapolate<true, false>();
             now.start(held_start);
             now.velocity_of_momentum();
@@ -210,7 +212,7 @@ template <class Grid, class... Policies> class solver {
         } else {
             if (!made) {
                 if constexpr (C::moves)
-                    now.template set_zero<typename sums::mass, typename sums::momentum, typename sums::force>();
+                    now.template clear_sums<typename sums::mass, typename sums::momentum, typename sums::force>();
                 else
                     now.template set_zero<typename sums::momentum, typename sums::force>();
                 now.template extrapolate<true, true>();

@@ -2,6 +2,7 @@
 #include <tamis/grid/node_table.hpp>
 #include <tamis/particles/body.hpp>
 #include <tamis/particles/leavers.hpp>
+#include <tamis/transfer/assemble.hpp>
 #include <tamis/transfer/gather.hpp>
 #include <tamis/transfer/running_sums.hpp>
 #include <tamis/transfer/scatter.hpp>
@@ -12,6 +13,11 @@
 #include <vector>
 
 namespace tamis::detail {
+
+/// Nothing follows.
+struct no_more {
+    TAMIS_INLINE void operator()(const auto&...) const {}
+};
 
 /// Passes over nodes, and over the particles of one body. They depend on as little of a composition as they can, so
 /// that compositions of one program share them.
@@ -25,7 +31,10 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     static constexpr int W = S::width, N = Shape::support;
 
     sweeps(const Shape& functions, const lattice_type& lattice, const Execution& run)
-        : functions_(functions), lattice_(lattice), run_(run), nodes_(lattice.size()) {}
+        : functions_(functions),
+          lattice_(lattice),
+          run_(run),
+          nodes_(lattice.size(), stores<NodeFields, field::mass_band<N>> ? lattice.reach() : 0) {}
 
     nodes_type& nodes() { return nodes_; }
     const nodes_type& nodes() const { return nodes_; }
@@ -78,9 +87,17 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter(Body& body, Kernel kernel) {
         scatter_onto<Shown, ToNodes>(nodes_, body, kernel);
     }
-    /// The same onto another table of nodes.
-    template <class Shown, class ToNodes, class Table, class Body, class Kernel>
-    void scatter_onto(Table& table, Body& body, Kernel kernel) {
+    /// The same, and what the particles have in the full mass matrix, added to its entries while they are at hand.
+    template <class Shown, class ToNodes, class Body, class Kernel>
+    void scatter_and_assemble(Body& body, Kernel kernel) {
+        scatter_onto<Shown, ToNodes>(nodes_, body, kernel, [&](const tile& t, const weigh_type& weigh) {
+            const auto at_hand = [](std::uint32_t) TAMIS_INLINE_LAMBDA {};
+            matrix_of_tile<S, Shape>::add(lattice_, nodes_, body.store().slots.data(), t, weigh, at_hand);
+        });
+    }
+    /// The same onto another table of nodes; `also(tile, its weights)` follows for each tile.
+    template <class Shown, class ToNodes, class Table, class Body, class Kernel, class Also = no_more>
+    void scatter_onto(Table& table, Body& body, Kernel kernel, Also also = {}) {
         auto& store = body.store();
         const bool mail = store.has_mail();
         using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
@@ -92,45 +109,30 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch_up_to(next + k, reads{}); };
             scatter_tile<Shown, ToNodes>(lattice_, table, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
                                          make, kernel);
+            also(t, weigh);
         });
         if (mail) store.mail_delivered();
     }
 
-    /// As `scatter` with made = the weights of a slot's particles at the nodes of a row, in 1D.
-    template <class Shown, class ToNodes, class Body, class Kernel> void scatter_weights(Body& body, Kernel kernel) {
-        static_assert(S::dim == 1);
+    /// Adds what the particles of a body have in the full mass matrix to its entries at the nodes.
+    template <class Body> void assemble_matrix(Body& body) {
         auto& store = body.store();
+        using reads = merge<typename weigh_type::reads, fields<field::mass>>;
         each_tile_by_colour(store, [&](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
-            const auto make = [&](const auto&, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
-                std::array<T, static_cast<std::size_t>(N)> weights;
-                unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { weights[a] = st.weight(a, st.row(0)); });
-                return weights;
-            };
-            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k); };
-            scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
-                                         make, kernel);
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k, reads{}); };
+            matrix_of_tile<S, Shape>::add(lattice_, nodes_, store.slots.data(), t, weigh, fetch);
         });
     }
-    /// To = B From in 1D, B a symmetric matrix whose rows' diagonal and upper entries are the components of `Bands`.
-    template <class Bands, class From, class To> void multiply_by_bands() {
-        static_assert(S::dim == 1);
-        constexpr int count = Bands::template components<S>;
+    /// use(nodes, place, Mf From) for W places at a time, Mf the matrix whose entries are at the nodes.
+    template <class From, class Use> void multiply_by_matrix(const Use& use) {
+        using entries = matrix_entries<S::dim, N>;
+        std::array<std::ptrdiff_t, static_cast<std::size_t>(entries::rows)> steps;
+        for (int row = 0; row < entries::rows; ++row)
+            steps[static_cast<std::size_t>(row)] = lattice_.row_step(entries::steps(row));
         const auto& active = nodes_.active();
-        const real* const from = nodes_.template column<From>();
-        real* const to = nodes_.template column<To>();
-        in_chunks(run_, active.size(), chunk, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t b = begin; b < end; ++b) {
-                const auto place = static_cast<std::ptrdiff_t>(active[b]) * W;
-                T sum = lane<T>::load(nodes_.template column<Bands>(0) + place) * lane<T>::load(from + place);
-                unroll<count - 1>([&](auto j) TAMIS_INLINE_LAMBDA {
-                    constexpr int off = j + 1;
-                    const real* const band = nodes_.template column<Bands>(off) + place;
-                    sum += lane<T>::load(band) * lane<T>::load(from + place + off);
-                    sum += lane<T>::load(band - off) * lane<T>::load(from + place - off);
-                });
-                lane<T>::store(to + place, sum);
-            }
+        in_chunks(run_, active.size(), chunk, [&, steps, use](std::size_t begin, std::size_t end) {
+            multiply_blocks<S, N, From>(nodes_.columns(), active.data() + begin, end - begin, steps, use);
         });
     }
 

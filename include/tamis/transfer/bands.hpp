@@ -1,37 +1,48 @@
 #pragma once
 #include <tamis/core/fields.hpp>
+#include <tamis/core/unroll.hpp>
 #include <tamis/transfer/mass.hpp>
 
 #include <array>
+#include <limits>
 
 namespace tamis {
 
+namespace detail {
+
+/// Where the entries of a row of the symmetric full mass matrix lie, for functions over N nodes along each of D axes:
+/// those to the node itself and to the nodes after it in storage. By rows of nodes along x: the node's own has N (0 to
+/// N - 1 places further), the others have 2N - 1 each (-(N - 1) to N - 1 places).
+template <int D, int N> struct matrix_entries {
+    static constexpr int across = 2 * N - 1;
+    static constexpr int rows = (power(across, D - 1) + 1) / 2;
+    static constexpr int count = N + (rows - 1) * across;
+    /// The entry to the node dx places further in a row.
+    static constexpr int of(int row, int dx) { return row == 0 ? dx : N + (row - 1) * across + N - 1 + dx; }
+    /// The row dy, dz further along y and z; negative for those before.
+    static constexpr int row(int dy, int dz) { return dz * across + dy; }
+    /// How far along y and z a row is.
+    static constexpr std::array<int, 2> steps(int row) {
+        const int dz = (row + N - 1) / across;
+        return {row - dz * across, dz};
+    }
+};
+
+}  // namespace detail
+
 namespace field {
 
-/// In 1D, entries (i, i), (i, i + 1), ... (i, i + Count - 1) of the full mass matrix S^T M S, at node i (kg).
-template <int Count> struct mass_band {
+/// Entries of the full mass matrix S^T M S at node i (kg), for functions over N nodes along an axis: those to i and to
+/// the nodes after it. In 1D (i, i), (i, i + 1), ... (i, i + N - 1).
+template <int N> struct mass_band {
     static constexpr std::string_view name = "mass_band";
-    template <class S> using value = Eigen::Matrix<typename S::scalar, Count, 1, S::align>;
-    template <class S> static constexpr int components = Count;
+    template <class S> static constexpr int components = tamis::detail::matrix_entries<S::dim, N>::count;
+    template <class S> using value = Eigen::Matrix<typename S::scalar, components<S>, 1, S::align>;
 };
 
 }  // namespace field
 
 namespace detail {
-
-/// S_pi M_p S_pj onto the bands: `weights` are a particle's at its N nodes, i the a-th of them.
-template <int N> struct bands_to_nodes {
-    static constexpr bool by_place = true;
-    TAMIS_INLINE void operator()(auto p, auto near, const auto& weights, auto a) const {
-        constexpr int first = decltype(a)::value;
-        for (const auto& [i, w, dw] : near) {
-            const auto part = w * p[symbols::m];
-            // Clang 14 captures no structured binding.
-            auto& band = i[field::mass_band<N>{}];
-            unroll<N - first>([&](auto j) TAMIS_INLINE_LAMBDA { band[j] += part * weights[first + j]; });
-        }
-    }
-};
 
 /// The number of terms of a mass policy's series, as far as it is known when compiling.
 template <class Mass> inline constexpr int terms_of = dynamic;
@@ -45,17 +56,22 @@ concept CountsTerms = requires(const Mass& mass) {
     mass.terms();
 };
 
-/// From how many terms on assembling the bands in every step costs less than sweeping particles for each term:
-/// measured, docs/method.md.
-template <class Shape> inline constexpr int bands_pay_from = Shape::support <= 3 ? 3 : 4;
+/// From how many terms on a product with the assembled matrix costs less than a sweep over the particles for each term:
+/// measured, docs/method.md. Where particles are held the matrix is assembled once, where they move in every step,
+/// which takes as long as a sweep where its entries are few: in 1D, and in 2D with linear functions.
+inline constexpr int never_pays = std::numeric_limits<int>::max();
+template <int Dim, class Shape, bool Moves> inline constexpr int bands_pay_from = [] {
+    constexpr int entries = matrix_entries<Dim, Shape::support>::count;
+    if (Moves) return entries > 5 ? never_pays : Shape::support <= 3 ? 3 : 4;
+    return entries > 25 ? never_pays : Dim > 1 ? 3 : 2;
+}();
 
-/// Does a composition multiply by the assembled full mass matrix, and not particle by particle? In 1D its bands are
-/// few: a term costs a few operations a node. Where particles are held they are assembled once; where they move, in
-/// every step, which pays from some terms on.
-template <int Dim, class Shape, class Mass, bool Moves>
-inline constexpr bool may_use_bands = Dim == 1 && contains<on_nodes_t<Mass>, field::image> &&
-                                      (!Moves || (CountsTerms<Mass> && (terms_of<Mass> == dynamic ||
-                                                                        terms_of<Mass> >= bands_pay_from<Shape>)));
+/// Does a composition multiply by the assembled full mass matrix, for some number of terms at least, and not particle
+/// by particle?
+template <int Dim, class Shape, class Mass, bool Moves> inline constexpr bool may_use_bands =
+    contains<on_nodes_t<Mass>, field::image>&& bands_pay_from<Dim, Shape, Moves> != never_pays &&
+    (bands_pay_from<Dim, Shape, Moves> <= 2 ||
+     (CountsTerms<Mass> && (terms_of<Mass> == dynamic || terms_of<Mass> >= bands_pay_from<Dim, Shape, Moves>)));
 
 }  // namespace detail
 }  // namespace tamis

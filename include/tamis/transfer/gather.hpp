@@ -22,6 +22,25 @@ template <class S> inline constexpr int components_of<S, no_field> = 0;
 template <class List, class Gradient> struct with_gradient { using type = merge_as_is<List, fields<Gradient>>; };
 template <class List> struct with_gradient<List, no_field> { using type = merge_as_is<List>; };
 
+/// Component c of F at W places, the first `Shift` places from that of a block.
+template <class S, class F, int Shift, class Nodes>
+TAMIS_INLINE typename S::scalar at_shifted(const Nodes& nodes, std::ptrdiff_t first_of_block, int c) {
+    using L = lane<typename S::scalar>;
+    constexpr int W = S::width;
+    if constexpr (S::dim == 1)
+        return L::load(nodes.template column<F>(c) + first_of_block + Shift);
+    else {
+        constexpr int block = Shift >= 0 ? Shift / W : -((W - 1 - Shift) / W), k = Shift - block * W;
+        const auto load = [&](int b) TAMIS_INLINE_LAMBDA {
+            return L::load(nodes.template block<F>(first_of_block + b * W, c));
+        };
+        if constexpr (k == 0)
+            return load(block);
+        else
+            return L::template slide<k>(load(block), load(block + 1));
+    }
+}
+
 /// The values of nodes around a tile, brought together once for all its slots: nodes of a tile lie in many places, and
 /// most are not aligned. Around a pivot, the other nodes' values are kept as differences from its.
 template <class S, class Shape, class List> class nodes_around {
@@ -50,26 +69,9 @@ template <class S, class Shape, class List> class nodes_around {
   private:
     template <class F, class Nodes>
     TAMIS_INLINE static void take_row(T* to, const Nodes& nodes, std::size_t first, int c) {
-        using L = lane<T>;
-        constexpr int W = S::width;
-        if constexpr (S::dim == 1)
-            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { to[a] = L::load(nodes.template column<F>(c) + first + a); });
-        else if constexpr (W == 1)
-            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-                to[a] = *nodes.template block<F>(first + static_cast<std::size_t>(a), c);
-            });
-        else {
-            const auto block = [&](int q) TAMIS_INLINE_LAMBDA {
-                return L::load(nodes.template block<F>(first + static_cast<std::size_t>(q * W), c));
-            };
-            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-                constexpr int q = a / W, k = a % W;
-                if constexpr (k == 0)
-                    to[a] = block(q);
-                else
-                    to[a] = L::template slide<k>(block(q), block(q + 1));
-            });
-        }
+        unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
+            to[a] = at_shifted<S, F, a>(nodes, static_cast<std::ptrdiff_t>(first), c);
+        });
     }
     /// Fields go by their own names here, those that share a column too.
     template <class F> static constexpr int place(int c) {

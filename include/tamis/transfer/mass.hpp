@@ -105,10 +105,31 @@ void add_term(bool felt, Pass& pass) {
     if constexpr (Pass::clears_image) pass.image_is_zero();
     pass.template hold_increment<To>(felt);
 }
+/// The same series by the assembled matrix: a pass over nodes makes a term and adds it, from what is in one field to
+/// another one. Not the first, where the sum is what the term is made of.
+template <class To, class From, class Pass> void add_products(int terms, bool felt, Pass& pass) {
+    const auto keeps = [&](int term) { return Pass::reads_last_increment || term < terms - 1; };
+    if constexpr (std::same_as<To, From> || std::same_as<From, field::increment>)
+        add_term<To, From>(felt, pass);
+    else {
+        pass.template add_product<From, To, field::increment>(keeps(1));
+        pass.template hold_increment<To>(felt);
+    }
+    for (int term = 2; term < terms; ++term)
+        if (term % 2 == 0) {
+            pass.template add_product<field::increment, To, field::image>(keeps(term));
+            pass.template hold_increment<To, field::image>(felt);
+        } else {
+            pass.template add_product<field::image, To, field::increment>(keeps(term));
+            pass.template hold_increment<To>(felt);
+        }
+}
 template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
 void add_series(int terms, bool felt, Pass& pass) {
     constexpr bool keeps_last = Pass::reads_last_increment;
     if (terms < 2) return;
+    if constexpr (requires { pass.multiplies(); })
+        if (pass.multiplies()) return add_products<To, From>(terms, felt, pass);
     if (terms == 2) return add_term<To, From, Term, Image, keeps_last>(felt, pass);
     add_term<To, From, Term, Image>(felt, pass);
     for (int l = 2; l < terms - 1; ++l) add_term<To, Term, Term, Image>(felt, pass);

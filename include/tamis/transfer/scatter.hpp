@@ -50,8 +50,36 @@ template <class S, class Group, class All> struct group_sums {
     }
 };
 
-/// Adds a row of sums to the nodes. Unaligned adds at x, x + 1, x + 2 would each wait for the store before to leave the
-/// core, so lanes are shifted in registers and added to whole blocks. With a pivot, its sum is that of the whole row.
+/// give(block, sum) for the blocks of W nodes that a row of sums belongs to; sum_of(a), First <= a <= Last, are W sums
+/// for the places from a on. Unaligned adds at x, x + 1, x + 2 would each wait for the store before to leave the core,
+/// so lanes are shifted in registers and added to whole blocks.
+template <class S, int First, int Last, class Sum, class Give>
+TAMIS_INLINE void add_along_row(const Sum& sum_of, const Give& give) {
+    using T = typename S::scalar;
+    using L = lane<T>;
+    constexpr int W = S::width;
+    constexpr int first_block = First / W, last_block = (Last + W - 1) / W;
+    unroll<last_block - first_block + 1>([&](auto k) TAMIS_INLINE_LAMBDA {
+        constexpr int block = first_block + k;
+        // Those that begin in this block, and those that began in the one before.
+        constexpr int from = std::max(First, (block - 1) * W + 1), to = std::min(Last, block * W + W - 1);
+        const auto part = [&](auto a) TAMIS_INLINE_LAMBDA -> T {
+            constexpr int shift = a - block * W;
+            if constexpr (shift == 0)
+                return sum_of(a);
+            else if constexpr (shift > 0)
+                return L::template up<shift>(sum_of(a));
+            else
+                return L::template over<shift + W>(sum_of(a));
+        };
+        T sum = part(std::integral_constant<int, from>{});
+        unroll<to - from>([&](auto j)
+                              TAMIS_INLINE_LAMBDA { sum += part(std::integral_constant<int, from + 1 + j>{}); });
+        give(block, sum);
+    });
+}
+
+/// Adds a row of sums to the nodes. With a pivot, its sum is that of the whole row.
 template <class S, int N, int Pivot, class Nodes, class Sums, class... F>
 TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, fields<F...>) {
     using T = typename S::scalar;
@@ -65,39 +93,19 @@ TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, 
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
                 if constexpr (a != Pivot) sum[Pivot] -= sum[a];
             });
-        const auto give = [&](int block, const T& sum_of_block) TAMIS_INLINE_LAMBDA {
-            auto* const p = nodes.template block<G>(place + static_cast<std::size_t>(block * W), c);
-            L::store(p, L::load(p) + sum_of_block);
-        };
-        if constexpr (W == 1)
-            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { give(a, sum[a]); });
-        else {
-            constexpr int blocks = (N - 1) / W + ((N - 1) % W > 0 ? 2 : 1);
-            T of[blocks];
-            unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-                constexpr int q = a / W, k = a % W;
-                if constexpr (a == 0)
-                    of[0] = sum[0];
-                else if constexpr (k == 0)
-                    of[q] += sum[a];
-                else {
-                    of[q] += L::template up<k>(sum[a]);
-                    if constexpr (k == 1)
-                        of[q + 1] = L::template over<1>(sum[a]);
-                    else
-                        of[q + 1] += L::template over<k>(sum[a]);
-                }
-            });
-            unroll<blocks>([&](auto q) TAMIS_INLINE_LAMBDA { give(q, of[q]); });
-        }
+        add_along_row<S, 0, N - 1>([&](auto a) TAMIS_INLINE_LAMBDA { return sum[a]; },
+                                   [&](int block, const T& sum_of_block) TAMIS_INLINE_LAMBDA {
+                                       auto* const p =
+                                           nodes.template block<G>(place + static_cast<std::size_t>(block * W), c);
+                                       L::store(p, L::load(p) + sum_of_block);
+                                   });
     };
     (unroll<F::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA { column(std::type_identity<F>{}, c); }), ...);
 }
 
-/// Runs `kernel(p, near, made)`, or `kernel(p, near, made, a)` with the place a of the node in its row, for all slots
-/// of a tile and adds what it put on the nodes. `make(slot, stencil, frame)` gives what is the same for every node of a
-/// slot. `fetch(k)` asks for slot k of the next tile. Where the sums of all rows of nodes are too many at once, slots'
-/// weights are kept while rows go by, and a row is flushed once per chunk.
+/// Runs `kernel(p, near, made)` for all slots of a tile and adds what it put on the nodes. `make(slot, stencil, frame)`
+/// gives what is the same for every node of a slot. `fetch(k)` asks for slot k of the next tile. Where the sums of all
+/// rows of nodes are too many at once, slots' weights are kept while rows go by, and a row is flushed once per chunk.
 template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Fetch,
           class Make, class Kernel>
 TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& nodes, Slot* slots, const tile& t,
@@ -109,18 +117,13 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
                          const auto& made) TAMIS_INLINE_LAMBDA {
         using sums_type = group_sums<S, typename std::remove_cvref_t<decltype(group)>::type, ToNodes>;
         const slot_row<S, Slot, Shown> p{from, at};
-        const auto give = [&](const auto& near, auto a) TAMIS_INLINE_LAMBDA {
-            if constexpr (requires { requires Kernel::by_place; })
-                kernel(p, near, made, a);
-            else
-                kernel(p, near, made);
-        };
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
             sums_type to(sums[a]);
             if constexpr (a == pivot)
-                give(one_node<S, sums_type, ToNodes, slope_of_row<S>>{{{to}, across.w, {across.d1, across.d2}}}, a);
+                kernel(p, one_node<S, sums_type, ToNodes, slope_of_row<S>>{{{to}, across.w, {across.d1, across.d2}}},
+                       made);
             else
-                give(one_node<S, sums_type, ToNodes>{{{to}, st.weight(a, across), st.slope(a, across)}}, a);
+                kernel(p, one_node<S, sums_type, ToNodes>{{{to}, st.weight(a, across), st.slope(a, across)}}, made);
         });
     };
     if constexpr (rows == 1 || rows * N * values<S, ToNodes>::components <= sums_at_once) {
