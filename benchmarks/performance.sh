@@ -69,9 +69,10 @@ END
             ;;
             step_2d) cat << 'END'
 
-As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more. Beyond the caches
+As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more. FMPM(4) with linear
+functions assembles the mass matrix, so that a term is a pass over nodes and no sweep (docs/method.md). Beyond the caches
 FMPM(k) waits for memory: all fields of four nodes lie side by side, so each sweep and each pass over nodes moves all of
-them, 72 bytes a node in and out.
+them, 72 bytes a node in and out, with the assembled matrix 112.
 END
             ;;
             crossing) cat << 'END'

@@ -178,7 +178,7 @@ TEST_CASE("full mass: a thousand increments are exact where the sum with binomia
 TEST_CASE("full mass: entries of the matrix are kept where they pay, and nowhere else") {
     const auto keeps = []<int D, class... Policy>(const uniform_grid<D, double>&, const Policy&...) {
         using C = detail::composition<uniform_grid<D, double>, Policy...>;
-        using kept = field::mass_band<C::shape::support>;
+        using kept = field::mass_entries<C::shape::support>;
         return stores<typename C::node_fields, kept>;
     };
     const uniform_grid<1, double> line{{0.}, {1.}, 0.1};

@@ -78,7 +78,8 @@ template <class S, class Shape> class lattice {
         if constexpr (D > 2) step += rows_further[1] * static_cast<std::ptrdiff_t>(plane_);
         return step;
     }
-    /// How far apart in storage nodes around one particle may be, in whole blocks, and a block more.
+    /// How far before or after a block of nodes others are read that share particles with it, at most: as blocks are
+    /// read, two at a time.
     std::size_t reach() const {
         std::size_t farthest = static_cast<std::size_t>(2 * W + N);
         if constexpr (D > 1) farthest += static_cast<std::size_t>(N - 1) * row_;

@@ -21,8 +21,8 @@ template <class S, class List> class node_table {
     static constexpr int components = row::components;
     static constexpr bool in_columns = S::dim == 1;
 
-    /// Memory is taken for nodes in use only. So many places before the first and after the last may be read: they are
-    /// zero. Throws `error` if there are too many nodes for it.
+    /// Memory is taken for nodes in use only. `reach` places before the first and after the last may be read, in 1D no
+    /// more than columns have between them: they are zero. Throws `error` if there are too many nodes for it.
     explicit node_table(std::size_t places, std::size_t reach = 0)
         // Not a power of two: columns stay out of each other's cache sets.
         : places_(places),

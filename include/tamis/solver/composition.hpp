@@ -9,7 +9,7 @@
 #include <tamis/shape/quadratic_spline.hpp>
 #include <tamis/solver/motion.hpp>
 #include <tamis/stress/order.hpp>
-#include <tamis/transfer/bands.hpp>
+#include <tamis/transfer/mass_entries.hpp>
 #include <tamis/transfer/schemes.hpp>
 
 #include <array>
@@ -195,7 +195,7 @@ template <class Grid, class... P> struct composition {
                   "give contact_method::incremental");
 
     static constexpr bool moves = motion::moves;
-    static constexpr bool bands = may_use_bands<dim, shape, mass, moves>;
+    static constexpr bool assembles = may_assemble<dim, shape, mass, moves>;
     using kinds = load_kinds<load, point_type>;
     static constexpr bool loaded = kinds::on_particles || kinds::on_nodes;
     static constexpr bool remaps = order::remap && order::after > 0;
@@ -232,7 +232,8 @@ template <class Grid, class... P> struct composition {
     using node_fields =
         merge<fields<field::mass, field::velocity, field::acceleration>, on_nodes_t<mass>, gathers,
               std::conditional_t<(order::before > 0), fields<strains_before>, fields<>>, fields<strains_after>,
-              std::conditional_t<bands, fields<field::mass_band<shape::support>>, fields<>>, on_nodes_t<touch>, read,
+              std::conditional_t<assembles, fields<field::mass_entries<shape::support>>, fields<>>, on_nodes_t<touch>,
+              read,
               std::conditional_t<sums_ahead, fields<typename sums::mass, typename sums::momentum, typename sums::force>,
                                  fields<>>>;
     /// What the step itself needs of a particle.

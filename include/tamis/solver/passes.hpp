@@ -72,24 +72,25 @@ template <class Solver, class... Body> struct passes {
         using kernel = to_nodes<S, typename C::shape, load, typename C::sums, mass, Momentum, Force>;
         const kernel sum{*loads, mpm.time_};
         using shown = fields<const field::mass>;
-        bool assembled = false;
-        if constexpr (mass && C::bands)
-            if (matrix_is_due()) {
+        if (mass && matrix_is_due()) {
+            if constexpr (mass && C::assembles) {
                 each_body([&](auto& b, auto& sweeps) {
                     sweeps.template scatter_and_assemble<shown, typename kernel::list>(b, sum);
                 });
-                mpm.bands_made_for_ = mpm.weights_.number();
-                assembled = true;
+                mpm.matrix_made_for_ = mpm.weights_.number();
             }
-        if (!assembled)
+        } else if constexpr (!(mass && always_due))
             each_body([&](auto& b, auto& sweeps) { sweeps.template scatter<shown, typename kernel::list>(b, sum); });
         wrap(typename kernel::list{});
     }
     /// Fields that `extrapolate` is to add masses and others to become zero, and the entries of the full mass matrix if
     /// they will be assembled by the way.
     template <class... F> void clear_sums() {
-        if constexpr (C::bands)
-            if (matrix_is_due()) return set_zero<F..., field::mass_band<C::shape::support>>();
+        if constexpr (C::assembles)
+            if (matrix_is_due()) {
+                mpm.matrix_made_for_ = 0;
+                return set_zero<F..., field::mass_entries<C::shape::support>>();
+            }
         set_zero<F...>();
     }
     /// Sums of particles at the two places of a node at a periodic wall are one.
@@ -174,10 +175,10 @@ template <class Solver, class... Body> struct passes {
     }
     /// SdV = S^T M S dv; dv, or what else `From` names.
     template <class From = field::increment> void spread_increment() {
-        if (bands_pay()) {
+        if (matrix_pays()) {
             assemble();
             multiply<From>(store_product<field::image>{});
-        } else if constexpr (!always_bands) {
+        } else if constexpr (!always_assembled) {
             if (!clears_image || !std::exchange(mpm.image_is_zero_, false)) set_zero<field::image>();
             each_body([](auto& b, auto& sweeps) {
                 sweeps.template scatter_gathered<fields<const field::mass>, fields<From>, fields<field::image>>(
@@ -187,16 +188,16 @@ template <class Solver, class... Body> struct passes {
         wrap(fields<field::image>{});
     }
     /// May a term of a series be made in one pass over nodes, by the assembled matrix?
-    bool multiplies() const { return bands_pay() && !any_axis_wraps(mpm.lattice_); }
+    bool multiplies() const { return matrix_pays() && !any_axis_wraps(mpm.lattice_); }
     /// Term = A From, added to `To`; not written if nobody is to read it.
     template <class From, class To, class Term> void add_product(bool keeps) {
-        if constexpr (C::bands) {
+        if constexpr (C::assembles) {
             assemble();
             multiply<From>(add_product_as_term<From, To, Term>{keeps});
         }
     }
     /// Should whoever uses SdV set it to zero? Not where the assembled matrix may write it whole.
-    static constexpr bool clears_image = !C::bands;
+    static constexpr bool clears_image = !C::assembles;
     void image_is_zero() { mpm.image_is_zero_ = true; }
     /// Does anybody look at the last increment of a series, beyond its sum?
     static constexpr bool reads_last_increment = Solver::held_type::any || C::own_velocities;
@@ -286,32 +287,35 @@ template <class Solver, class... Body> struct passes {
             return true;
     }();
 
-    static constexpr int bands_from = bands_pay_from<C::dim, typename C::shape, C::moves>;
+    static constexpr int pays_from = matrix_pays_from<C::dim, typename C::shape, C::moves>;
     /// Is the matrix assembled for whatever number of terms there can be?
-    static constexpr bool always_bands = C::bands && (bands_from <= 2 || terms_of<typename C::mass> != dynamic);
-    bool bands_pay() const {
-        if constexpr (C::bands && !always_bands)
-            return mpm.transfer_.mass.terms() >= bands_from;
+    static constexpr bool always_assembled = C::assembles && (pays_from <= 2 || terms_of<typename C::mass> != dynamic);
+    bool matrix_pays() const {
+        if constexpr (C::assembles && !always_assembled)
+            return mpm.transfer_.mass.terms() >= pays_from;
         else
-            return C::bands;
+            return C::assembles;
     }
     /// Will this step multiply by the matrix of where the particles are now?
+    static constexpr bool sometimes_due = requires(typename C::mass & mass) { mass.due; };
+    static constexpr bool always_due = always_assembled && !sometimes_due;
     bool matrix_is_due() const {
-        if constexpr (requires { mpm.transfer_.mass.due; })
+        if constexpr (sometimes_due)
             if (!mpm.transfer_.mass.due) return false;
-        return bands_pay() && mpm.transfer_.mass.terms() > 1;
+        return matrix_pays();
     }
     /// The entries of the full mass matrix, made anew when weights have changed.
     void assemble() {
-        if constexpr (C::bands) {
-            if (mpm.bands_made_for_ == mpm.weights_.number()) return;
-            set_zero<field::mass_band<C::shape::support>>();
+        if constexpr (C::assembles) {
+            if (mpm.matrix_made_for_ == mpm.weights_.number()) return;
+            mpm.matrix_made_for_ = 0;
+            set_zero<field::mass_entries<C::shape::support>>();
             each_body([](auto& b, auto& sweeps) { sweeps.assemble_matrix(b); });
-            mpm.bands_made_for_ = mpm.weights_.number();
+            mpm.matrix_made_for_ = mpm.weights_.number();
         }
     }
     template <class From, class Use> void multiply(const Use& use) {
-        if constexpr (C::bands)
+        if constexpr (C::assembles)
             for (auto& field : mpm.fields_) field.sweeps.template multiply_by_matrix<From>(use);
     }
     template <class Gradient, bool Strains, class B, class Sweeps>

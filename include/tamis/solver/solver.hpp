@@ -107,6 +107,7 @@ template <class Grid, class... Policies> class solver {
         prepare(all);
         detail::passes<solver, Body...> now{*this, all, real(1)};
         if constexpr (C::moves) {
+            weights_change();  // another solver may have moved the particles
             now.sum_masses();
             now.nodes(detail::invert_mass{});
         }
@@ -234,6 +235,7 @@ template <class Grid, class... Policies> class solver {
         else
             transfer_.mass.solve(now);
         now.finish();
+        if constexpr (!C::remaps) weights_change();
         now.update_particles();
         if constexpr (C::remaps) {
             now.template set_zero<field::momentum>();
@@ -241,6 +243,7 @@ template <class Grid, class... Policies> class solver {
             now.extrapolated(held_end);
             now.velocity_of_extrapolated();
             if constexpr (C::mass::full) now.template full_velocity<field::velocity>(false);
+            weights_change();
             now.template strain<field::velocity, C::moves>(real(order::after) * dt);
         }
         previous_ = time_;
@@ -248,7 +251,6 @@ template <class Grid, class... Policies> class solver {
         ++steps_;
         if constexpr (C::sums_ahead) ahead_.updates = std::get<0>(all).store().updates;
         if constexpr (C::moves) {
-            if constexpr (C::bands || C::exact) weights_.renew();
             if (ahead_.made) return;  // nobody left its cell
             std::string failure;
             detail::each_of(all, [&](auto& b) { deliver(b, detail::to_double(dt), failure); });
@@ -283,7 +285,7 @@ template <class Grid, class... Policies> class solver {
     std::vector<std::string> warnings_;
     bool image_is_zero_ = false;  // on all nodes, so that the next sum can begin
     detail::stamp weights_;
-    std::uint64_t bands_made_for_ = 0;
+    std::uint64_t matrix_made_for_ = 0;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared
     /// The next step's sums over the particles (`composition::sums_ahead`): are they there, of which state of the body,
     /// and is it worth while to make them?
@@ -330,6 +332,10 @@ template <class Grid, class... Policies> class solver {
     }
     velocity_field& field_of(std::size_t body) { return fields_[C::own_velocities ? body : 0]; }
 
+    /// Particles are about to move, if they do: what throws then must not leave a matrix of where they were.
+    void weights_change() {
+        if constexpr (C::moves && (C::assembles || C::exact)) weights_.renew();
+    }
     /// Were the step's sums over particles made by the step before, and are they still those of the body?
     template <class... Body> bool sums_are_made(std::tuple<Body&...>& all) {
         if constexpr (detail::passes<solver, Body...>::one_pass) {
@@ -370,6 +376,7 @@ template <class Grid, class... Policies> class solver {
             each([&](auto& b) { detail::check_particles(b, grid(), steps_, time_); });
             if (!as_before) detail::check_loaded(load_, all);
         }
+        seen_.clear();  // what throws is looked at again
         each([&](auto& b) { b.store().template arrange<lattice_type::N>(); });
         if constexpr (C::own_velocities)
             while (fields_.size() < sizeof...(Body)) add_field(fields_);
@@ -390,7 +397,6 @@ template <class Grid, class... Policies> class solver {
             for (auto& field : fields_) field.keep_masses(lattice_);
         }
         weights_.renew();
-        // Last: what threw is looked at again.
         seen_.assign(now.begin(), now.end());
     }
 

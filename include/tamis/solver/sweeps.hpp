@@ -34,7 +34,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         : functions_(functions),
           lattice_(lattice),
           run_(run),
-          nodes_(lattice.size(), stores<NodeFields, field::mass_band<N>> ? lattice.reach() : 0) {}
+          nodes_(lattice.size(), stores<NodeFields, field::mass_entries<N>> ? lattice.reach() : 0) {}
 
     nodes_type& nodes() { return nodes_; }
     const nodes_type& nodes() const { return nodes_; }
@@ -124,7 +124,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             matrix_of_tile<S, Shape>::add(lattice_, nodes_, store.slots.data(), t, weigh, fetch);
         });
     }
-    /// use(nodes, place, Mf From) for W places at a time, Mf the matrix whose entries are at the nodes.
+    /// use(space, nodes, place, Mf From) for W places at a time, Mf the matrix whose entries are at the nodes.
     template <class From, class Use> void multiply_by_matrix(const Use& use) {
         using entries = matrix_entries<S::dim, N>;
         std::array<std::ptrdiff_t, static_cast<std::size_t>(entries::rows)> steps;

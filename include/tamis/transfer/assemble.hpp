@@ -1,6 +1,7 @@
 #pragma once
 #include <tamis/core/lanes.hpp>
-#include <tamis/transfer/bands.hpp>
+#include <tamis/transfer/mass_entries.hpp>
+#include <tamis/transfer/gather.hpp>
 #include <tamis/transfer/scatter.hpp>
 
 #include <algorithm>
@@ -16,9 +17,9 @@ template <class S, class Shape> class matrix_of_tile {
     static constexpr int D = S::dim, N = Shape::support, W = S::width;
     using T = typename S::scalar;
     using entries = matrix_entries<D, N>;
-    using band = field::mass_band<N>;
+    using matrix = field::mass_entries<N>;
     static constexpr int pairs = N * (N + 1) / 2;
-    static constexpr int inner_axes = D > 1 && pairs* pairs <= sums_in_registers ? 2 : 1;
+    static constexpr int inner_axes = D > 1 && power(pairs, 2) <= sums_in_registers ? 2 : 1;
     static constexpr int inner = power(pairs, inner_axes), outer = power(pairs, D - inner_axes);
     struct pair {
         int low, high;
@@ -49,7 +50,8 @@ template <class S, class Shape> class matrix_of_tile {
             const T m = from.template get<field::mass>();
             unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA {
                 unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-                    const T w = d == 0 ? m * st.axis[d].w[a] : st.axis[d].w[a];
+                    T w = st.axis[d].w[a];
+                    if constexpr (d == 0) w *= m;
                     unroll<N - a>([&](auto b) TAMIS_INLINE_LAMBDA {
                         to.of[d][place_of(a, a + b)] = w * st.axis[d].w[int(a) + int(b)];
                     });
@@ -60,7 +62,7 @@ template <class S, class Shape> class matrix_of_tile {
             T sums[inner];
             unroll<inner>([&](auto k) TAMIS_INLINE_LAMBDA { sums[k] = T(real(0)); });
             for (std::uint32_t s = 0; s < t.count; ++s) {
-                fetch(s);
+                if constexpr (D > 1) fetch(s);
                 products of_slot;
                 multiply(of_slot, slot[s]);
                 sum(sums, of_slot, 0);
@@ -147,32 +149,32 @@ template <class S, class Shape> class matrix_of_tile {
     template <int First, int Last, class Nodes, class Sum>
     static TAMIS_INLINE void give_entry(const Nodes& nodes, std::size_t first, int entry, const Sum& sum_of) {
         add_along_row<S, First, Last>(sum_of, [&](int block, const T& sum) TAMIS_INLINE_LAMBDA {
-            auto* const p = nodes.template block<band>(first + static_cast<std::size_t>(block * W), entry);
+            auto* const p = nodes.template block<matrix>(first + static_cast<std::size_t>(block * W), entry);
             lane<T>::store(p, lane<T>::load(p) + sum);
         });
     }
 };
 
-/// use(nodes, place, Mf From) for blocks of W nodes, Mf the matrix whose entries are in the band; `steps`: from a row
-/// of nodes to the others, in places.
+/// use(space, nodes, place, Mf From) for blocks of W nodes, Mf the matrix whose entries are at the nodes; `steps`: from
+/// a row of nodes to the others, in places.
 template <class S, int N, class From, class Columns, class Steps, class Use>
 TAMIS_FLATTEN void multiply_blocks(const Columns nodes, const std::uint32_t* blocks, std::size_t count,
                                    const Steps& steps, const Use& use) {
     using T = typename S::scalar;
-    using band = field::mass_band<N>;
+    using matrix = field::mass_entries<N>;
     using entries = matrix_entries<S::dim, N>;
     for (std::size_t b = 0; b < count; ++b) {
         const auto place = static_cast<std::ptrdiff_t>(blocks[b]) * S::width;
         typename From::template value<S> sum;
         const auto add = [&](std::ptrdiff_t entry_row, auto entry_shift, int entry, std::ptrdiff_t row, auto dx)
                              TAMIS_INLINE_LAMBDA {
-                                 const T m = at_shifted<S, band, entry_shift>(nodes, entry_row, entry);
+                                 const T m = at_shifted<S, matrix, entry_shift>(nodes, entry_row, entry);
                                  unroll<From::template components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
                                      component<S>(sum, c) += m * at_shifted<S, From, dx>(nodes, row, c);
                                  });
                              };
         const std::integral_constant<int, 0> none;
-        const T m = at_shifted<S, band, 0>(nodes, place, 0);
+        const T m = at_shifted<S, matrix, 0>(nodes, place, 0);
         unroll<From::template components<S>>(
             [&](auto c) TAMIS_INLINE_LAMBDA { component<S>(sum, c) = m * at_shifted<S, From, 0>(nodes, place, c); });
         unroll<N - 1>([&](auto k) TAMIS_INLINE_LAMBDA {
@@ -206,7 +208,8 @@ template <class To> struct store_product {
 };
 /// dv = A u = u - m^-1 Mf u goes to `Term`, if anybody reads it, and is added to `To`.
 template <class From, class To, class Term> struct add_product_as_term {
-    static_assert(!std::same_as<From, To> && !std::same_as<From, Term>);
+    static_assert(!std::same_as<column_of_t<From>, column_of_t<To>> &&
+                  !std::same_as<column_of_t<From>, column_of_t<Term>>);
     bool keeps;
     template <class S, class Columns, class Product>
     TAMIS_INLINE void operator()(std::type_identity<S>, const Columns& nodes, std::ptrdiff_t place,

@@ -22,7 +22,7 @@ template <class S> inline constexpr int components_of<S, no_field> = 0;
 template <class List, class Gradient> struct with_gradient { using type = merge_as_is<List, fields<Gradient>>; };
 template <class List> struct with_gradient<List, no_field> { using type = merge_as_is<List>; };
 
-/// Component c of F at W places, the first `Shift` places from that of a block.
+/// Component c of F at W places, from `Shift` places after a block's first one on (before it, if negative).
 template <class S, class F, int Shift, class Nodes>
 TAMIS_INLINE typename S::scalar at_shifted(const Nodes& nodes, std::ptrdiff_t first_of_block, int c) {
     using L = lane<typename S::scalar>;

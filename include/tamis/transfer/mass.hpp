@@ -105,23 +105,26 @@ void add_term(bool felt, Pass& pass) {
     if constexpr (Pass::clears_image) pass.image_is_zero();
     pass.template hold_increment<To>(felt);
 }
-/// The same series by the assembled matrix: a pass over nodes makes a term and adds it, from what is in one field to
-/// another one. Not the first, where the sum is what the term is made of.
-template <class To, class From, class Pass> void add_products(int terms, bool felt, Pass& pass) {
-    const auto keeps = [&](int term) { return Pass::reads_last_increment || term < terms - 1; };
-    if constexpr (std::same_as<To, From> || std::same_as<From, field::increment>)
-        add_term<To, From>(felt, pass);
-    else {
-        pass.template add_product<From, To, field::increment>(keeps(1));
-        pass.template hold_increment<To>(felt);
+/// The same series by the assembled matrix: a pass over nodes makes a term and adds it, of what is in one of two fields
+/// in the other one. The first takes two passes where what it is made of is the sum itself, or in the field it goes to.
+template <class To, class From, class Term, class Image, class Pass>
+void add_products(int terms, bool felt, Pass& pass) {
+    constexpr bool keeps_last = Pass::reads_last_increment;
+    const auto keeps = [&](int term) { return keeps_last || term < terms - 1; };
+    if constexpr (std::same_as<From, To> || std::same_as<From, Term>) {
+        if (terms == 2) return add_term<To, From, Term, Image, keeps_last>(felt, pass);
+        add_term<To, From, Term, Image>(felt, pass);
+    } else {
+        pass.template add_product<From, To, Term>(keeps(1));
+        pass.template hold_increment<To, Term>(felt);
     }
     for (int term = 2; term < terms; ++term)
         if (term % 2 == 0) {
-            pass.template add_product<field::increment, To, field::image>(keeps(term));
-            pass.template hold_increment<To, field::image>(felt);
+            pass.template add_product<Term, To, Image>(keeps(term));
+            pass.template hold_increment<To, Image>(felt);
         } else {
-            pass.template add_product<field::image, To, field::increment>(keeps(term));
-            pass.template hold_increment<To>(felt);
+            pass.template add_product<Image, To, Term>(keeps(term));
+            pass.template hold_increment<To, Term>(felt);
         }
 }
 template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
@@ -129,7 +132,7 @@ void add_series(int terms, bool felt, Pass& pass) {
     constexpr bool keeps_last = Pass::reads_last_increment;
     if (terms < 2) return;
     if constexpr (requires { pass.multiplies(); })
-        if (pass.multiplies()) return add_products<To, From>(terms, felt, pass);
+        if (pass.multiplies()) return add_products<To, From, Term, Image>(terms, felt, pass);
     if (terms == 2) return add_term<To, From, Term, Image, keeps_last>(felt, pass);
     add_term<To, From, Term, Image>(felt, pass);
     for (int l = 2; l < terms - 1; ++l) add_term<To, Term, Term, Image>(felt, pass);

@@ -29,7 +29,7 @@ template <int Dim, class Shape, class Lanes> void is_the_matrix() {
     using solver_type = solver<uniform_grid<Dim, double>, Shape, pic, Lanes>;
     using S = typename detail::composition<uniform_grid<Dim, double>, Shape, pic, Lanes>::S;
     constexpr int N = Shape::support;
-    using band = field::mass_band<N>;
+    using matrix_field = field::mass_entries<N>;
     using entries = detail::matrix_entries<Dim, N>;
     CAPTURE(Dim, N, S::width);
 
@@ -45,7 +45,7 @@ template <int Dim, class Shape, class Lanes> void is_the_matrix() {
 
     const serial run{};
     const detail::lattice<S, Shape> lattice{box<Dim>()};
-    using node_fields = fields<field::mass, field::velocity, field::image, band>;
+    using node_fields = fields<field::mass, field::velocity, field::image, matrix_field>;
     detail::sweeps<S, Shape, node_fields, serial, true> sweeps{functions, lattice, run};
     const auto count = static_cast<Eigen::Index>(lattice.size());
     std::vector<std::uint32_t> blocks;
@@ -65,7 +65,7 @@ template <int Dim, class Shape, class Lanes> void is_the_matrix() {
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(blocks.size()) * S::width; ++i)
         for (int row = 0; row < entries::rows; ++row)
             for (int dx = row == 0 ? 0 : 1 - N; dx < N; ++dx) {
-                const double value = nodes.template at<band>(static_cast<std::size_t>(i), entries::of(row, dx));
+                const double value = nodes.template at<matrix_field>(static_cast<std::size_t>(i), entries::of(row, dx));
                 const Eigen::Index j = i + lattice.row_step(entries::steps(row)) + dx;
                 if (value == 0) continue;
                 REQUIRE(j < count);
@@ -73,6 +73,19 @@ template <int Dim, class Shape, class Lanes> void is_the_matrix() {
                 if (i != j) found(j, i) += value;
             }
     CHECK((found - matrix).cwiseAbs().maxCoeff() < 1e-13);
+
+    // While masses are summed it becomes the same one.
+    std::vector<double> alone;
+    const auto each_entry = [&](auto f) {
+        for (std::size_t i = 0; i < blocks.size() * S::width; ++i)
+            for (int entry = 0; entry < entries::count; ++entry) f(nodes.template at<matrix_field>(i, entry));
+    };
+    each_entry([&](double value) { alone.push_back(value); });
+    sweeps.template set_zero<field::mass, matrix_field>();
+    sweeps.template scatter_and_assemble<fields<const field::mass>, fields<field::mass>>(body, detail::mass_to_nodes{});
+    std::size_t k = 0;
+    each_entry([&](double value) { REQUIRE(value == alone[k++]); });
+    REQUIRE(k == alone.size());
 
     Eigen::MatrixXd u(count, Dim), product(count, Dim);
     for (Eigen::Index i = 0; i < count; ++i)

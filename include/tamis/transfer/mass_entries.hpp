@@ -33,9 +33,9 @@ template <int D, int N> struct matrix_entries {
 namespace field {
 
 /// Entries of the full mass matrix S^T M S at node i (kg), for functions over N nodes along an axis: those to i and to
-/// the nodes after it. In 1D (i, i), (i, i + 1), ... (i, i + N - 1).
-template <int N> struct mass_band {
-    static constexpr std::string_view name = "mass_band";
+/// the nodes after it, in the order of `matrix_entries`. In 1D (i, i), (i, i + 1), ... (i, i + N - 1).
+template <int N> struct mass_entries {
+    static constexpr std::string_view name = "mass_entries";
     template <class S> static constexpr int components = tamis::detail::matrix_entries<S::dim, N>::count;
     template <class S> using value = Eigen::Matrix<typename S::scalar, components<S>, 1, S::align>;
 };
@@ -57,21 +57,22 @@ concept CountsTerms = requires(const Mass& mass) {
 };
 
 /// From how many terms on a product with the assembled matrix costs less than a sweep over the particles for each term:
-/// measured, docs/method.md. Where particles are held the matrix is assembled once, where they move in every step,
-/// which takes as long as a sweep where its entries are few: in 1D, and in 2D with linear functions.
+/// docs/method.md has the times. Where particles are held the matrix is assembled once, where they move in every step:
+/// that takes as long as a sweep where its entries are few, in 1D and in 2D with linear functions.
 inline constexpr int never_pays = std::numeric_limits<int>::max();
-template <int Dim, class Shape, bool Moves> inline constexpr int bands_pay_from = [] {
+inline constexpr int most_entries_if_moved = 5, most_entries_if_held = 25;
+template <int Dim, class Shape, bool Moves> inline constexpr int matrix_pays_from = [] {
     constexpr int entries = matrix_entries<Dim, Shape::support>::count;
-    if (Moves) return entries > 5 ? never_pays : Shape::support <= 3 ? 3 : 4;
-    return entries > 25 ? never_pays : Dim > 1 ? 3 : 2;
+    if (Moves) return entries > most_entries_if_moved ? never_pays : Shape::support <= 3 ? 3 : 4;
+    return entries > most_entries_if_held ? never_pays : Dim > 1 ? 3 : 2;
 }();
 
 /// Does a composition multiply by the assembled full mass matrix, for some number of terms at least, and not particle
 /// by particle?
-template <int Dim, class Shape, class Mass, bool Moves> inline constexpr bool may_use_bands =
-    contains<on_nodes_t<Mass>, field::image>&& bands_pay_from<Dim, Shape, Moves> != never_pays &&
-    (bands_pay_from<Dim, Shape, Moves> <= 2 ||
-     (CountsTerms<Mass> && (terms_of<Mass> == dynamic || terms_of<Mass> >= bands_pay_from<Dim, Shape, Moves>)));
+template <int Dim, class Shape, class Mass, bool Moves> inline constexpr bool may_assemble =
+    contains<on_nodes_t<Mass>, field::image>&& matrix_pays_from<Dim, Shape, Moves> != never_pays &&
+    (matrix_pays_from<Dim, Shape, Moves> <= 2 ||
+     (CountsTerms<Mass> && (terms_of<Mass> == dynamic || terms_of<Mass> >= matrix_pays_from<Dim, Shape, Moves>)));
 
 }  // namespace detail
 }  // namespace tamis
