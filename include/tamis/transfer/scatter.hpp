@@ -58,25 +58,30 @@ TAMIS_INLINE void add_along_row(const Sum& sum_of, const Give& give) {
     using T = typename S::scalar;
     using L = lane<T>;
     constexpr int W = S::width;
-    constexpr int first_block = First / W, last_block = (Last + W - 1) / W;
-    unroll<last_block - first_block + 1>([&](auto k) TAMIS_INLINE_LAMBDA {
-        constexpr int block = first_block + k;
-        // Those that begin in this block, and those that began in the one before.
-        constexpr int from = std::max(First, (block - 1) * W + 1), to = std::min(Last, block * W + W - 1);
-        const auto part = [&](auto a) TAMIS_INLINE_LAMBDA -> T {
-            constexpr int shift = a - block * W;
-            if constexpr (shift == 0)
-                return sum_of(a);
-            else if constexpr (shift > 0)
-                return L::template up<shift>(sum_of(a));
-            else
-                return L::template over<shift + W>(sum_of(a));
-        };
-        T sum = part(std::integral_constant<int, from>{});
-        unroll<to - from>([&](auto j)
-                              TAMIS_INLINE_LAMBDA { sum += part(std::integral_constant<int, from + 1 + j>{}); });
-        give(block, sum);
-    });
+    if constexpr (W == 1)
+        unroll<Last - First + 1>(
+            [&](auto k) TAMIS_INLINE_LAMBDA { give(First + k, sum_of(std::integral_constant<int, First + k>{})); });
+    else {
+        constexpr int first_block = First / W, last_block = (Last + W - 1) / W;
+        unroll<last_block - first_block + 1>([&](auto k) TAMIS_INLINE_LAMBDA {
+            constexpr int block = first_block + k;
+            // Those that begin in this block, and those that began in the one before.
+            constexpr int from = std::max(First, (block - 1) * W + 1), to = std::min(Last, block * W + W - 1);
+            const auto part = [&](auto a) TAMIS_INLINE_LAMBDA -> T {
+                constexpr int shift = a - block * W;
+                if constexpr (shift == 0)
+                    return sum_of(a);
+                else if constexpr (shift > 0)
+                    return L::template up<shift>(sum_of(a));
+                else
+                    return L::template over<shift + W>(sum_of(a));
+            };
+            T sum = part(std::integral_constant<int, from>{});
+            unroll<to - from>([&](auto j)
+                                  TAMIS_INLINE_LAMBDA { sum += part(std::integral_constant<int, from + 1 + j>{}); });
+            give(block, sum);
+        });
+    }
 }
 
 /// Adds a row of sums to the nodes. With a pivot, its sum is that of the whole row.
