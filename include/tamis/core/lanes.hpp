@@ -153,7 +153,16 @@ template <class T> TAMIS_INLINE T exponential(const T& a) {
     using std::exp;
     if constexpr (lane<T>::width > 1 && !vector_functions)
         return each_lane(a, [](auto x) { return std::exp(x); });
-    else
+    else if constexpr (lane<T>::width > 1) {
+        // xsimd makes whole numbers of the argument before it looks how large it is: of infinity and NaN, which empty
+        // lanes may have, that is undefined.
+        using real = typename lane<T>::real;
+        const T most(real(1000)), zero(real(0)), infinity(std::numeric_limits<real>::infinity());
+        const auto too_large = a > most, too_small = a < -most;
+        const auto fits = (a <= most) & (a >= -most);
+        const T value = exp(lane<T>::select(fits, a, zero));
+        return lane<T>::select(fits, value, lane<T>::select(too_large, infinity, lane<T>::select(too_small, zero, a)));
+    } else
         return exp(a);
 }
 

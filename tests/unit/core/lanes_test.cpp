@@ -1,6 +1,8 @@
 #include <tamis/core/space.hpp>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "catch.hpp"
@@ -25,6 +27,19 @@ template <class T> numbers<T> some(int start) {
     return a;
 }
 
+/// Exponentials, those of numbers that are none included: empty lanes may have them.
+template <class T> void exponential_of_all() {
+    using real = typename lane<T>::real;
+    const real infinity = std::numeric_limits<real>::infinity();
+    for (const real a : {real(0), real(1.5), real(-80), real(20000), real(-20000), infinity, -infinity}) {
+        const real expected = std::exp(a);
+        CAPTURE(a, width<T>);
+        for (const real found : to(T(detail::exponential(T(a)))))
+            CHECK((found == expected || std::abs(found / expected - 1) < 4 * std::numeric_limits<real>::epsilon()));
+    }
+    const T none = detail::exponential(T(std::numeric_limits<real>::quiet_NaN()));
+    for (const real found : to(none)) CHECK(std::isnan(found));
+}
 template <class T> void lanes_are_independent() {
     using real = typename lane<T>::real;
     const auto a = some<T>(1), b = some<T>(4);
@@ -80,6 +95,7 @@ template <class Real, std::size_t W> void lanes_of_width() {
         STATIC_REQUIRE(width<T> == int{W});
         lanes_are_independent<T>();
         shifts_lose_nothing<T>();
+        exponential_of_all<T>();
     }
 }
 #endif
@@ -93,6 +109,7 @@ TEST_CASE("lanes: a plain number is one lane") {
     lanes_are_independent<float>();
     lanes_are_independent<double>();
     lanes_are_independent<long double>();
+    exponential_of_all<double>();
     CHECK(lane<double>::floor(2.5) == 2);
     CHECK(lane<double>::floor(-0.5) == -1);
     CHECK(lane<float>::floor(-3.f) == -3);
