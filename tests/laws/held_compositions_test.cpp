@@ -13,6 +13,8 @@ template <class Law> void each_1d(Law law) {
 }
 template <class Law> void each_2d(Law law) {
     law(composed{quadratic_spline{}, flip{}, usl_plus{}, held{}});
+    // By sweeps, and by the assembled matrix.
+    law(composed{cubic_spline{}, fmpm<dynamic>{2}, usavg_minus{}, held{}});
     law(composed{cubic_spline{}, fmpm<dynamic>{3}, usavg_minus{}, held{}});
     law(composed{cubic_spline{}, modified_flip{0.5}, usf{}, held{}});
 }

@@ -2,6 +2,7 @@
 #include <tamis/contact/policies.hpp>
 #include <tamis/core/each_of.hpp>
 #include <tamis/grid/wrap.hpp>
+#include <tamis/solver/assembled_matrix.hpp>
 #include <tamis/solver/composition.hpp>
 #include <tamis/solver/damping.hpp>
 #include <tamis/solver/kernels.hpp>
@@ -72,15 +73,14 @@ template <class Solver, class... Body> struct passes {
         using kernel = to_nodes<S, typename C::shape, load, typename C::sums, mass, Momentum, Force>;
         const kernel sum{*loads, mpm.time_};
         using shown = fields<const field::mass>;
-        if (mass && matrix_is_due()) {
-            if constexpr (mass && C::assembles) {
-                each_body([&](auto& b, auto& sweeps) {
-                    sweeps.template scatter_and_assemble<shown, typename kernel::list>(b, sum);
-                });
-                mpm.matrix_made_for_ = mpm.weights_.number();
-            }
-        } else if constexpr (!(mass && always_due))
-            each_body([&](auto& b, auto& sweeps) { sweeps.template scatter<shown, typename kernel::list>(b, sum); });
+        const bool assembles = mass && matrix_is_due();
+        each_body([&](auto& b, auto& sweeps) {
+            if constexpr (mass && C::assembles)
+                if (assembles) return sweeps.template scatter_and_assemble<shown, typename kernel::list>(b, sum);
+            if constexpr (!(mass && matrix_type::every_step))
+                sweeps.template scatter<shown, typename kernel::list>(b, sum);
+        });
+        if (assembles) mpm.matrix_.made();
         wrap(typename kernel::list{});
     }
     /// Fields that `extrapolate` is to add masses and others to become zero, and the entries of the full mass matrix if
@@ -88,7 +88,7 @@ template <class Solver, class... Body> struct passes {
     template <class... F> void clear_sums() {
         if constexpr (C::assembles)
             if (matrix_is_due()) {
-                mpm.matrix_made_for_ = 0;
+                mpm.matrix_.begin();
                 return set_zero<F..., field::mass_entries<C::shape::support>>();
             }
         set_zero<F...>();
@@ -176,9 +176,8 @@ template <class Solver, class... Body> struct passes {
     /// SdV = S^T M S dv; dv, or what else `From` names.
     template <class From = field::increment> void spread_increment() {
         if (matrix_pays()) {
-            assemble();
             multiply<From>(store_product<field::image>{});
-        } else if constexpr (!always_assembled) {
+        } else if constexpr (!matrix_type::always) {
             if (!clears_image || !std::exchange(mpm.image_is_zero_, false)) set_zero<field::image>();
             each_body([](auto& b, auto& sweeps) {
                 sweeps.template scatter_gathered<fields<const field::mass>, fields<From>, fields<field::image>>(
@@ -187,17 +186,15 @@ template <class Solver, class... Body> struct passes {
         }
         wrap(fields<field::image>{});
     }
-    /// May a term of a series be made in one pass over nodes, by the assembled matrix?
+    /// Is a term of a series made in one pass over nodes, by the assembled matrix?
+    static constexpr bool may_multiply = C::assembles;
     bool multiplies() const { return matrix_pays() && !any_axis_wraps(mpm.lattice_); }
     /// Term = A From, added to `To`; not written if nobody is to read it.
     template <class From, class To, class Term> void add_product(bool keeps) {
-        if constexpr (C::assembles) {
-            assemble();
-            multiply<From>(add_product_as_term<From, To, Term>{keeps});
-        }
+        multiply<From>(add_product_as_term<From, To, Term>{keeps});
     }
-    /// Should whoever uses SdV set it to zero? Not where the assembled matrix may write it whole.
-    static constexpr bool clears_image = !C::assembles;
+    /// Should whoever uses SdV set it to zero? Not where the assembled matrix always writes it whole.
+    static constexpr bool clears_image = !assembled_matrix<C>::always;
     void image_is_zero() { mpm.image_is_zero_ = true; }
     /// Does anybody look at the last increment of a series, beyond its sum?
     static constexpr bool reads_last_increment = Solver::held_type::any || C::own_velocities;
@@ -221,7 +218,7 @@ template <class Solver, class... Body> struct passes {
     void report(const series_report& series) { mpm.series_ = series; }
     /// For policies that assemble the matrix: a number that changes when weights may have changed; the number of node
     /// places; f(i, j, S_pi M_p S_pj) for all particles and places of nodes around them; a field's columns.
-    std::uint64_t weights_stamp() const { return mpm.weights_.number(); }
+    std::uint64_t weights_stamp() const { return mpm.matrix_.weights(); }
     std::size_t places() const { return mpm.lattice_.size(); }
     template <class F> void each_weight_pair(F f) {
         each_body([&](auto& b, auto& sweeps) { sweeps.each_weight_pair(b, f); });
@@ -287,36 +284,21 @@ template <class Solver, class... Body> struct passes {
             return true;
     }();
 
-    static constexpr int pays_from = matrix_pays_from<C::dim, typename C::shape, C::moves>;
-    /// Is the matrix assembled for whatever number of terms there can be?
-    static constexpr bool always_assembled = C::assembles && (pays_from <= 2 || terms_of<typename C::mass> != dynamic);
-    bool matrix_pays() const {
-        if constexpr (C::assembles && !always_assembled)
-            return mpm.transfer_.mass.terms() >= pays_from;
-        else
-            return C::assembles;
-    }
-    /// Will this step multiply by the matrix of where the particles are now?
-    static constexpr bool sometimes_due = requires(typename C::mass & mass) { mass.due; };
-    static constexpr bool always_due = always_assembled && !sometimes_due;
-    bool matrix_is_due() const {
-        if constexpr (sometimes_due)
-            if (!mpm.transfer_.mass.due) return false;
-        return matrix_pays();
-    }
-    /// The entries of the full mass matrix, made anew when weights have changed.
-    void assemble() {
-        if constexpr (C::assembles) {
-            if (mpm.matrix_made_for_ == mpm.weights_.number()) return;
-            mpm.matrix_made_for_ = 0;
-            set_zero<field::mass_entries<C::shape::support>>();
-            each_body([](auto& b, auto& sweeps) { sweeps.assemble_matrix(b); });
-            mpm.matrix_made_for_ = mpm.weights_.number();
-        }
-    }
+    using matrix_type = assembled_matrix<C>;
+    bool matrix_pays() const { return matrix_type::pays(mpm.transfer_.mass); }
+    bool matrix_is_due() const { return matrix_type::is_due(mpm.transfer_.mass); }
+    /// use(..., Mf From) for all nodes; Mf is made anew when weights have changed.
     template <class From, class Use> void multiply(const Use& use) {
-        if constexpr (C::assembles)
+        if constexpr (C::assembles) {
+            if (!mpm.matrix_.is_made()) {
+                mpm.matrix_.begin();
+                set_zero<field::mass_entries<C::shape::support>>();
+                each_body([](auto& b, auto& sweeps) { sweeps.assemble_matrix(b); });
+                mpm.matrix_.made();
+            }
+            mpm.image_is_zero_ = false;
             for (auto& field : mpm.fields_) field.sweeps.template multiply_by_matrix<From>(use);
+        }
     }
     template <class Gradient, bool Strains, class B, class Sweeps>
     void update(B& b, Sweeps& sweeps, const T& strain_dt) {

@@ -284,8 +284,7 @@ template <class Grid, class... Policies> class solver {
     series_report series_;
     std::vector<std::string> warnings_;
     bool image_is_zero_ = false;  // on all nodes, so that the next sum can begin
-    detail::stamp weights_;
-    std::uint64_t matrix_made_for_ = 0;
+    detail::assembled_matrix<C> matrix_;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared
     /// The next step's sums over the particles (`composition::sums_ahead`): are they there, of which state of the body,
     /// and is it worth while to make them?
@@ -334,7 +333,7 @@ template <class Grid, class... Policies> class solver {
 
     /// Particles are about to move, if they do: what throws then must not leave a matrix of where they were.
     void weights_change() {
-        if constexpr (C::moves && (C::assembles || C::exact)) weights_.renew();
+        if constexpr (C::moves && (C::assembles || C::exact)) matrix_.weights_change();
     }
     /// Were the step's sums over particles made by the step before, and are they still those of the body?
     template <class... Body> bool sums_are_made(std::tuple<Body&...>& all) {
@@ -396,7 +395,7 @@ template <class Grid, class... Policies> class solver {
             });
             for (auto& field : fields_) field.keep_masses(lattice_);
         }
-        weights_.renew();
+        matrix_.weights_change();
         seen_.assign(now.begin(), now.end());
     }
 

@@ -4,6 +4,7 @@
 #include <tamis/core/names.hpp>
 
 #include <array>
+#include <type_traits>
 
 namespace tamis {
 
@@ -106,33 +107,40 @@ void add_term(bool felt, Pass& pass) {
     pass.template hold_increment<To>(felt);
 }
 /// The same series by the assembled matrix: a pass over nodes makes a term and adds it, of what is in one of two fields
-/// in the other one. The first takes two passes where what it is made of is the sum itself, or in the field it goes to.
+/// in the other one. The first takes two passes where what it is made of is the sum itself.
 template <class To, class From, class Term, class Image, class Pass>
 void add_products(int terms, bool felt, Pass& pass) {
     constexpr bool keeps_last = Pass::reads_last_increment;
-    const auto keeps = [&](int term) { return keeps_last || term < terms - 1; };
-    if constexpr (std::same_as<From, To> || std::same_as<From, Term>) {
-        if (terms == 2) return add_term<To, From, Term, Image, keeps_last>(felt, pass);
+    const auto add = [&](auto from, auto to, int term) {
+        using Next = typename decltype(to)::type;
+        pass.template add_product<typename decltype(from)::type, To, Next>(keeps_last || term < terms - 1);
+        pass.template hold_increment<To, Next>(felt);
+    };
+    const std::type_identity<Term> one;
+    const std::type_identity<Image> other;
+    if constexpr (!std::same_as<From, To>)
+        add(std::type_identity<From>{}, one, 1);
+    else if (terms == 2)
+        add_term<To, From, Term, Image, keeps_last>(felt, pass);
+    else
         add_term<To, From, Term, Image>(felt, pass);
-    } else {
-        pass.template add_product<From, To, Term>(keeps(1));
-        pass.template hold_increment<To, Term>(felt);
-    }
     for (int term = 2; term < terms; ++term)
-        if (term % 2 == 0) {
-            pass.template add_product<Term, To, Image>(keeps(term));
-            pass.template hold_increment<To, Image>(felt);
-        } else {
-            pass.template add_product<Image, To, Term>(keeps(term));
-            pass.template hold_increment<To, Term>(felt);
-        }
+        if (term % 2 == 0)
+            add(one, other, term);
+        else
+            add(other, one, term);
 }
 template <class To, class From, class Term = field::increment, class Image = field::image, class Pass>
 void add_series(int terms, bool felt, Pass& pass) {
     constexpr bool keeps_last = Pass::reads_last_increment;
     if (terms < 2) return;
-    if constexpr (requires { pass.multiplies(); })
-        if (pass.multiplies()) return add_products<To, From, Term, Image>(terms, felt, pass);
+    if constexpr (requires { requires Pass::may_multiply; })
+        if (pass.multiplies()) {
+            // The first term must not go to the field that it is made of.
+            constexpr bool swap = std::same_as<From, Term>;
+            using Next = std::conditional_t<swap, Image, Term>;
+            return add_products<To, From, Next, std::conditional_t<swap, Term, Image>>(terms, felt, pass);
+        }
     if (terms == 2) return add_term<To, From, Term, Image, keeps_last>(felt, pass);
     add_term<To, From, Term, Image>(felt, pass);
     for (int l = 2; l < terms - 1; ++l) add_term<To, Term, Term, Image>(felt, pass);

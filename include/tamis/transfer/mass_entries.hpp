@@ -57,8 +57,8 @@ concept CountsTerms = requires(const Mass& mass) {
 };
 
 /// From how many terms on a product with the assembled matrix costs less than a sweep over the particles for each term:
-/// docs/method.md has the times. Where particles are held the matrix is assembled once, where they move in every step:
-/// that takes as long as a sweep where its entries are few, in 1D and in 2D with linear functions.
+/// benchmarks/mass_matrix measures it. Where particles are held the matrix is assembled once, where they move in every
+/// step: that takes as long as a sweep where its entries are few, in 1D and in 2D with linear functions.
 inline constexpr int never_pays = std::numeric_limits<int>::max();
 inline constexpr int most_entries_if_moved = 5, most_entries_if_held = 25;
 template <int Dim, class Shape, bool Moves> inline constexpr int matrix_pays_from = [] {
