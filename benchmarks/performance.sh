@@ -59,20 +59,23 @@ END
             ;;
             step_3d) cat << 'END'
 
-What bounds it: arithmetic and its operands. A particle takes 430 instructions, 1720 a slot of four (quadratic FLIP,
-g++ 12, AVX2, by `benchmarks/count_instructions.sh`): arithmetic, loads that do not fold into it, shifts of rows, and what
-sixteen registers cannot hold. Bytes: 112 a particle and 56 a node (float: half). The step by hand keeps node fields in
-columns and all 21 sums of a row at once; sixteen registers spill them, and each row touches seven pages.
+What bounds it: arithmetic and its operands, and with eight lanes memory too, once the particles are beyond the caches. A
+particle takes 430 instructions, 1720 a slot of four (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`):
+arithmetic, loads that do not fold into it, shifts of rows, and what sixteen registers cannot hold. Bytes: 112 a particle
+and 56 a node (float: half). The step by hand keeps node fields in columns and all 21 sums of a row at once; sixteen
+registers spill them, and each row touches seven pages.
 
-FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes.
+FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes. The block of 32^3
+cells has 29 MB of particles: where a cache of 32 MB just holds them, a FLIP step runs from it, and one with more node
+fields no longer does. Compare FMPM(k) with 16^3 and 64^3 cells.
 END
             ;;
             step_2d) cat << 'END'
 
 As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more. FMPM(4) with linear
 functions assembles the mass matrix, so that a term is a pass over nodes and no sweep (docs/method.md). Beyond the caches
-FMPM(k) waits for memory: all fields of four nodes lie side by side, so each sweep and each pass over nodes moves all of
-them, 72 bytes a node in and out, with the assembled matrix 112.
+FMPM(k) waits for memory: 72 bytes a node instead of 40, with the assembled matrix 112 or more, and all fields of W nodes
+lie side by side: with four lanes a line of the cache has those of two fields, and each pass moves what it does not need.
 END
             ;;
             crossing) cat << 'END'
@@ -82,8 +85,10 @@ lanes unevenly: a step over slots is longer by the inverse of the occupancy, and
 take more of caches and memory. "Stopped" is the block at rest where it had drifted to; crossing, the mailbox and new
 tiles, is what is beyond it, as far as the mean occupancies agree.
 Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
-says in 3D, a slot of W particles W times the step above it. With four lanes that gains little. The worst case
-is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
+says in 3D, a slot of W particles W times the step above it. That gains little: the emptiest slots have one or two. Fewer
+lanes are filled more evenly (0.83 with four, 0.76 with eight), and still take longer: 31 ns in full tiles and 42 stopped
+instead of 25 and 39, with 64^3 cells on a processor with eight. The worst case is a jet of scattered single particles: one
+lane of each slot is in use, and a particle costs as much as W.
 END
             ;;
             memory) cat << 'END'

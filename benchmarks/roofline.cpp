@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 namespace {
@@ -55,5 +56,6 @@ double flops_per_second() {
 
 int main() {
     std::printf("%-44s %10.1f GB/s\n", "memory, triad", triad_bytes_per_second() * 1e-9);
-    std::printf("%-44s %10.1f GFlop/s\n", "fused multiply-add, double", flops_per_second() * 1e-9);
+    const std::string lanes = std::to_string(width) + (width == 1 ? " lane" : " lanes");
+    std::printf("%-44s %10.1f GFlop/s\n", ("fused multiply-add, double, " + lanes).c_str(), flops_per_second() * 1e-9);
 }

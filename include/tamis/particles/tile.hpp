@@ -245,8 +245,10 @@ template <class S, class List> class tile_store {
          ...);
         fetch(first, end);
     }
-    /// ... or for all of it.
-    TAMIS_INLINE void fetch(const slot* s) const { fetch(reinterpret_cast<const char*>(s), sizeof(slot)); }
+    /// ... or for all of it, to be written.
+    TAMIS_INLINE void fetch_to_write(const slot* s) const {
+        fetch<true>(reinterpret_cast<const char*>(s), sizeof(slot));
+    }
     /// Runs f(tile index, first slot of the next tile) over the tiles of slab k, in the order of their nodes.
     template <class F> TAMIS_INLINE void each_tile_and_next(std::size_t k, F&& f) const {
         const auto all = row(k);
@@ -263,12 +265,15 @@ template <class S, class List> class tile_store {
     std::size_t count_ = 0, sorted_ = 0;
     std::vector<std::vector<std::uint32_t>> left_;  // by the number of slots: first ones of room that tiles left
 
+    /// Lines asked for to be written are taken from other processors and may count as changed, so that they go back to
+    /// memory: what is only read is not asked for in that way.
+    template <bool Writes = false>
     TAMIS_INLINE static void fetch([[maybe_unused]] const char* first, [[maybe_unused]] std::size_t bytes) {
 #if defined(__GNUC__)
         constexpr std::size_t line = 64;
-        for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(first + at, 1);
+        for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(first + at, Writes);
         // Slots that begin in the middle of a line end in one more.
-        if constexpr (sizeof(slot) % line != 0) __builtin_prefetch(first + bytes - 1, 1);
+        if constexpr (sizeof(slot) % line != 0) __builtin_prefetch(first + bytes - 1, Writes);
 #endif
     }
     /// f(k) for k < count, parts of it by threads.

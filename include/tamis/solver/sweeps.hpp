@@ -298,7 +298,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         some_slots left;
         for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
             auto& slot = store.slots[s];
-            if constexpr (S::dim > 1) store.fetch(next + (s - t.first));
+            if constexpr (S::dim > 1) store.fetch_to_write(next + (s - t.first));
             stencil<S, N> st;
             weigh(st, slot);
             gathered<S, Sums> g;
