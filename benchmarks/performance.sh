@@ -7,7 +7,7 @@ set -eu
 programs=$1
 page=$2
 shift 2
-all='roofline step_3d step_2d step_1d crossing memory scaling'
+all='roofline step_3d step_2d step_1d crossing memory scaling compile_time'
 new=$page.new
 tables=$programs/tables
 mkdir -p "$tables"
@@ -43,6 +43,7 @@ load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
             crossing) echo '## Particles that change cells' ;;
             memory) echo '## Memory' ;;
             scaling) echo '## Threads' ;;
+            compile_time) echo '## Compiling' ;;
         esac
         echo
         echo '```text'
@@ -107,6 +108,12 @@ those of one thread, bit for bit. A body is cut into at most 32 slabs across its
 16 threads' rate, or by memory: n cores at T ns a particle ask for 336 n/T GB/s.
 
 On a virtual machine the gain falls when the host lends the second processor to others; nanoseconds then rise too.
+END
+            ;;
+            compile_time) cat << 'END'
+
+A program that includes everything, makes a body and steps it (`benchmarks/support/one_solver.cpp`): seconds of the clock, the
+median of three. A processor that others use as well takes up to twice as long.
 END
             ;;
         esac
