@@ -7,13 +7,14 @@ using namespace laws;
 
 namespace {
 
-/// Bars of many cells with a gap between them, which swing and go to other cells; two slabs at least.
+/// Bars of many cells with a gap between them, which swing and go to other cells; two slabs at least, with up to eight
+/// lanes.
 template <class Execution, class Lanes, class... Policies> struct bars {
     using solver_type = solver<uniform_grid<1, double>, walls<1>, Execution, Lanes, Policies...>;
     solver_type mpm;
     static auto make_bar(const solver_type& of, double speed) {
         auto bar =
-            block_in(of, [](const auto& at) { return (at[0] > 0 && at[0] < 50) || (at[0] > 60.1 && at[0] < 100); });
+            block_in(of, [](const auto& at) { return (at[0] > 0 && at[0] < 100) || (at[0] > 120.1 && at[0] < 200); });
         for (auto p : bar) {
             const double x = p[x0][0];
             p[symbols::v][0] = speed * std::sin(0.7 * x) + 0.02 * std::sin(29 * x);
@@ -23,8 +24,8 @@ template <class Execution, class Lanes, class... Policies> struct bars {
     }
     decltype(make_bar(mpm, 0.)) bar;
     explicit bars(double speed, Execution run, Lanes lanes_of, Policies... policies)
-        : mpm(box<1>({440}),
-              walls<1>{[](const auto& at) { return at[0] < 0 || at[0] > 99; },
+        : mpm(box<1>({880}),
+              walls<1>{[](const auto& at) { return at[0] < 0 || at[0] > 199; },
                        [](const auto&, double t) { return place<1>(0.1 * std::sin(3 * t)); }},
               run, lanes_of, policies...),
           bar(make_bar(mpm, speed)) {}
@@ -43,7 +44,7 @@ double difference(const auto& one, const auto& other) {
 auto state(const auto& b) {
     std::vector<double> nodes{b.mpm.boundary_work()};
     for (const auto& node : b.mpm.reactions()) nodes.push_back(node.reaction[0]);
-    for (int i = 0; i < 440; ++i) nodes.push_back(b.mpm.on_node(symbols::v, {i, 0, 0})[0]);
+    for (int i = 0; i < 880; ++i) nodes.push_back(b.mpm.on_node(symbols::v, {i, 0, 0})[0]);
     return std::pair(snapshot(std::as_const(b.bar)), nodes);
 }
 constexpr double dt = 1. / 256;
