@@ -15,21 +15,22 @@ trap 'rm -f "$new" "$tables"/*.new' EXIT
 
 measure() { "$programs/$1" 2> /dev/null | grep -v -e '^Run on' -e '^--' -e '^Benchmark ' -e '/repeats:' -e '^\*\*\*' ; }
 
+load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
 for table in ${*:-$all}; do
     measure "$table" > "$tables/$table.new"
     mv "$tables/$table.new" "$tables/$table"
 done
 
 processor=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2> /dev/null | head -n 1)
+family=$(sed -n 's/^cpu family[^:]*: //p' /proc/cpuinfo 2> /dev/null | head -n 1)
 cores=$(getconf _NPROCESSORS_ONLN)
-load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
 
 {
     echo '# Performance'
     echo
     echo 'Written by `cmake --build build/default --target performance`, on' "$(date +%Y-%m-%d)."
-    echo "Machine: ${processor:-unknown}, $cores processors, load $load at the start; flags: the default preset's (-O3" \
-         '-march=native, no -ffast-math).'
+    echo "Machine: ${processor:-unknown}${family:+ of family $family}, $cores processors, load $load when the last tables were" \
+         "begun; $("${CXX:-c++}" --version | head -n 1), the default preset's flags (-O3 -march=native, no -ffast-math)."
     echo
     echo 'Nanoseconds are per particle and step, of processor time, medians of five interleaved runs; a ratio is to the'
     echo 'step named beside it, in the same run. Compare ratios; nanoseconds move with the load.'
@@ -87,8 +88,8 @@ take more of caches and memory. "Stopped" is the block at rest where it had drif
 tiles, is what is beyond it, as far as the mean occupancies agree.
 Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
 says in 3D, a slot of W particles W times the step above it. That gains little: the emptiest slots have one or two. Fewer
-lanes are filled more evenly (0.83 with four, 0.76 with eight), and still take longer: 31 ns in full tiles and 42 stopped
-instead of 25 and 39, with 64^3 cells on a processor with eight. The worst case is a jet of scattered single particles: one
+lanes are filled more evenly (with 64^3 cells 0.82 of four, 0.76 of eight), and still take longer: measured once on a processor
+with eight, 31 ns in full tiles and 42 stopped instead of 25 and 39. The worst case is a jet of scattered single particles: one
 lane of each slot is in use, and a particle costs as much as W.
 END
             ;;
@@ -107,7 +108,8 @@ those of one thread, bit for bit. A body is cut into at most 32 slabs across its
 16: that many threads can share a scatter, and twice as many a gather. On 64 cores a step is then bound by the scatter at
 16 threads' rate, or by memory: n cores at T ns a particle ask for 336 n/T GB/s.
 
-On a virtual machine the gain falls when the host lends the second processor to others; nanoseconds then rise too.
+Nanoseconds of the clock here, medians of nine. On a virtual machine the gain falls when the host lends the second
+processor to others; nanoseconds then rise too.
 END
             ;;
             compile_time) cat << 'END'

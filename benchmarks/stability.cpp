@@ -50,10 +50,6 @@ class rows {
         add_shape(shape_of, usavg_minus{});
         add_shape(shape_of, usf{});
     }
-    /// uGIMP strains last only.
-    void add_ugimp() {
-        add_shape([](int n) { return ugimp{n}; }, usl_minus{});
-    }
 };
 
 /// Rounded down.
@@ -211,7 +207,7 @@ int main(int argc, char** argv) {
         all.add([](int) { return linear{}; });
         all.add([](int) { return quadratic_spline{}; });
         all.add([](int) { return cubic_spline{}; });
-        all.add_ugimp();
+        all.add([](int n) { return ugimp{n}; });
         std::puts("| shape | stress | update | k | inside | worst offset | free ends | worst offset |");
         std::puts("|---|---|---|---|---|---|---|---|");
         for (const row& r : all.all)

@@ -168,7 +168,7 @@ page stability_page(const std::vector<map_row>& map, const std::vector<run_check
         "with 2 per "
         "cell, which is why FMPM(16) failed at a Courant number of 0.2. The cure is to strain by velocities that "
         "particles had: "
-        "`usl+`, `usavg+` or `usf`, which lose 2 to 15 % of their limit at free ends up to k = 4.");
+        "`usl+`, `usavg+` or `usf`, which lose 0 to 17 % of their limit at free ends up to k = 4.");
 
     page::table_of orders{
         {"stress order", "critical number", "wave: velocity error", "strain error", "energy", "time of a step"},

@@ -89,7 +89,7 @@ template <class Order> cure cure_by(const Order& order) {
         set_velocity_of(bar, [&](const auto& at) { return 0.01 * std::sin(pi * at[0]); });
         const double before = kinetic_energy(bar);
         const auto clock = std::chrono::steady_clock::now();
-        // A quarter of a period more than one, that there is strain; v and strain at 2.25.
+        // An eighth of a period more than one, that there is strain.
         const double end = 2.25;
         const int steps = 1125;
         for (int n = 0; n < steps; ++n) mpm.step(bodies(bar), end / steps);

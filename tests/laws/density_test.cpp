@@ -1,5 +1,5 @@
-// The density of particles by strain increments, rho' = rho/(1 + tr d_eps) (Molinos 2019, with USF; numerics.md,
-// section 5), in a body that is stretched uniformly: all nodes follow v_d = a_d x_d/(1 + a_d t), so a particle of place
+// The density of particles by strain increments, rho' = rho/(1 + tr d_eps) (Molinos 2019, with USF; docs/method.md,
+// Density), in a body that is stretched uniformly: all nodes follow v_d = a_d x_d/(1 + a_d t), so a particle of place
 // X is at X (1 + a_d t) and has the density rho0/prod_d (1 + a_d t).
 #include <tamis/boundary/conditions.hpp>
 #include <tamis/material/linear_elastic.hpp>

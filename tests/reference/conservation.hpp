@@ -11,7 +11,7 @@
 namespace reference {
 
 /// u_t + F(u)_x = 0 on a line, by the two-step Taylor-Galerkin scheme with particles as quadrature points, every
-/// operator a full matrix (numerics.md, section 9). States are places x unknowns.
+/// operator a full matrix (docs/taylor-galerkin.md). States are places x unknowns.
 struct line {
     shape_kind shape = shape_kind::linear;
     double lower = 0;

@@ -27,9 +27,9 @@ template <int Dim, class Real> struct held_node {
 
 namespace detail {
 
-/// The nodes that conditions hold, and how they are held (numerics.md, section 6). By the default, incremental: held
-/// components of p/m take their values of t at once, those of p+/m the values of t + dt, and those of every further
-/// increment of the full mass matrix's series are zero.
+/// The nodes that conditions hold, and how they are held (docs/method.md, Boundary conditions). By the default,
+/// incremental: held components of p/m take their values of t at once, those of p+/m the values of t + dt, and those of
+/// every further increment of the full mass matrix's series are zero.
 ///
 /// Conditions at one node are made orthonormal once; values follow by the same triangular map. `Sums`: the columns of
 /// mass, momentum and force.

@@ -38,9 +38,10 @@ template <class Method, held_by How> constexpr bool is_always() {
 
 }  // namespace detail
 
-/// How a condition v.n = b of a node enters a full mass matrix, FMPM(k) (numerics.md, section 6). With a lumped one
-/// they are all the same, and only `incremental` can be named. p* is the momentum that no condition has touched, m the
-/// lumped mass, M~ = S^T M S, M~_k^-1 the inverse by k terms; "held" means: on held components, 0 elsewhere.
+/// How a condition v.n = b of a node enters a full mass matrix, FMPM(k) (docs/method.md, Boundary conditions). With a
+/// lumped one they are all the same, and only `incremental` can be named. p* is the momentum that no condition has
+/// touched, m the lumped mass, M~ = S^T M S, M~_k^-1 the inverse by k terms; "held" means: on held components, 0
+/// elsewhere.
 ///
 ///     solver mpm{grid, fmpm<4>{}, ends, boundary_method::collected{}};
 namespace boundary_method {

@@ -87,7 +87,7 @@ enum class contact_terms { untouched, each, first, net };
 /// Where contact enters a full mass matrix's series, of FMPM(k) and of XPIC(k).
 namespace contact_method {
 
-/// On the lumped momentum and on every further increment (numerics.md, section 7), as the lumped momentum decided who
+/// On the lumped momentum and on every further increment (docs/method.md, Contact), as the lumped momentum decided who
 /// sticks, slides or is apart. The default.
 struct incremental {
     static constexpr bool on_momentum = true, on_velocity = false;

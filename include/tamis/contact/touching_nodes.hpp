@@ -20,7 +20,7 @@ template <int Dim, class Real> struct touching_node {
 
 namespace detail {
 
-/// Corrections on nodes that two bodies reach (numerics.md, section 7; Bardenhagen et al. 2001): with the relative
+/// Corrections on nodes that two bodies reach (docs/method.md, Contact; Bardenhagen et al. 2001): with the relative
 /// velocity w = v_2 - v_1, the impulse J = m_red w would make them move as one. Its normal part acts where they
 /// approach, of its tangential part what the law allows. Momentum is kept exactly.
 template <class S, class Shape, class Contact> class touching_nodes {

@@ -56,7 +56,7 @@ struct displacement : vector_field {
 };
 
 /// Error of a particle's last Lagrangian update (m/s): V_mean - V with X' = X + V_mean dt + A dt^2/2 and A = (V' -
-/// V)/dt (numerics.md, section 4). Kept current where somebody asks for it and particles move.
+/// V)/dt (docs/method.md, Particle updates). Kept current where somebody asks for it and particles move.
 struct update_error : vector_field {
     static constexpr std::string_view name = "update_error";
 };

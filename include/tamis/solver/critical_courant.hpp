@@ -13,6 +13,10 @@
 namespace tamis {
 
 class adaptive_mass;
+namespace detail {
+template <int K> struct periodic_mass;
+struct periodic_update;
+}  // namespace detail
 
 /// Courant numbers c dt/h up to which small waves in a body at rest do not grow (docs/stability.md).
 struct critical_courant {
@@ -58,7 +62,9 @@ template <> inline constexpr int critical_order<usf> = 2;
 template <> inline constexpr int critical_order<usl_plus> = 2;
 template <> inline constexpr int critical_order<usavg_plus> = 2;
 
-enum class critical_family { none, flip, xpic, fmpm };
+/// Blends of PIC and FLIP have numbers between those of the two, and steps of FLIP and FMPM(k) by turns grow no faster
+/// than either (tests/unit/stability): the smaller of both counts.
+enum class critical_family { none, flip, xpic, fmpm, flip_and_fmpm };
 template <class Mass, class Update> inline constexpr critical_family critical_family_of = critical_family::none;
 template <> inline constexpr critical_family critical_family_of<lumped_mass, tamis::add_acceleration> =
     critical_family::flip;
@@ -71,6 +77,12 @@ template <int K> inline constexpr critical_family critical_family_of<full_mass<K
     critical_family::fmpm;
 template <> inline constexpr critical_family critical_family_of<adaptive_mass, set_velocity_move_by_mean> =
     critical_family::fmpm;
+template <> inline constexpr critical_family critical_family_of<lumped_mass, blend_velocity> =
+    critical_family::flip_and_fmpm;
+template <> inline constexpr critical_family critical_family_of<lumped_mass, blend_velocity_graphics> =
+    critical_family::flip_and_fmpm;
+template <int K> inline constexpr critical_family critical_family_of<periodic_mass<K>, periodic_update> =
+    critical_family::flip_and_fmpm;
 
 /// Row of the first order k of `known` that is not below k, and of the one before: numbers in between lie in between.
 template <std::size_t N> std::pair<int, int> critical_rows(const int (&known)[N], int k) {
@@ -88,23 +100,20 @@ inline critical_courant smaller(const critical_courant& a, const critical_couran
 template <class C> std::optional<critical_courant> critical_of(const typename C::transfer& transfer, double per_cell) {
     constexpr int shape = critical_shape<typename C::shape>, order = critical_order<typename C::order>;
     constexpr critical_family family = critical_family_of<typename C::mass, typename C::update>;
-    if constexpr (shape < 0 || order < 0 || family == critical_family::none ||
-                  (shape == 9 * critical_updates && order > 0))
+    if constexpr (shape < 0 || order < 0 || family == critical_family::none)
         return std::nullopt;
     else {
         int k = 1;
         if constexpr (requires { transfer.mass.terms(); }) k = transfer.mass.terms();
         const int first = shape + order * critical_updates;
-        std::pair<int, int> rows{0, 0};
-        if (family == critical_family::fmpm || k == 1) {
-            rows = critical_rows(critical_fmpm, k);
-            rows.first += 5, rows.second += 5;
+        constexpr int flip_row = 0, first_xpic = 1, first_fmpm = 5;
+        std::pair<int, int> rows{flip_row, flip_row};
+        if constexpr (family != critical_family::flip) {
+            const bool filtered = family == critical_family::xpic && k > 1;
+            rows = filtered ? critical_rows(critical_xpic, k) : critical_rows(critical_fmpm, k);
+            rows.first += filtered ? first_xpic : first_fmpm;
+            rows.second += filtered ? first_xpic : first_fmpm;
         }
-        if (family == critical_family::xpic && k > 1) {
-            rows = critical_rows(critical_xpic, k);
-            ++rows.first, ++rows.second;
-        }
-        if (family == critical_family::flip) rows = {0, 0};
         const auto clamp = [](double n) { return std::clamp(static_cast<int>(n), 1, critical_per_cell) - 1; };
         const int low = clamp(std::floor(per_cell + 1e-3)), high = clamp(std::ceil(per_cell - 1e-3));
         // Beyond the table's last order numbers at free ends fall with the root of k.
@@ -116,8 +125,9 @@ template <class C> std::optional<critical_courant> critical_of(const typename C:
             return critical_courant{by * r.inner[n] / 1000, by * more * r.free_end[n] / 1000,
                                     shape == 0 && C::order::after > 0 && !C::order::remap};
         };
-        return smaller(smaller(of(rows.first, low), of(rows.first, high)),
-                       smaller(of(rows.second, low), of(rows.second, high)));
+        const auto of_both = [&](int row) { return smaller(of(row, low), of(row, high)); };
+        const critical_courant found = smaller(of_both(rows.first), of_both(rows.second));
+        return family == critical_family::flip_and_fmpm ? smaller(found, of_both(flip_row)) : found;
     }
 }
 

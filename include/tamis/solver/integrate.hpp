@@ -26,12 +26,12 @@ struct progress_state {
     interval span;  // of the run
 };
 
-/// What `integrate` says of a step that is between the limits of free ends and of inner nodes. Observers that take a
-/// `const warning&` and nothing else are told; if there is none, the sentence goes to standard error. Once in a
-/// solver's life.
+/// What `integrate` says of a step that is between the limits of free ends and of inner nodes, and of one that it chose
+/// although nothing is known of the composition. Observers that take a `const warning&` and nothing else are told; if
+/// there is none, the sentence goes to standard error. Once in a solver's life.
 struct warning {
     std::string sentence;
-    double number, limit;  // Courant numbers: the step's, and the one at free ends
+    double number, limit;  // Courant numbers: the step's, and the one at free ends, or 1
 };
 
 /// A number of equal steps, (end - begin)/count each. Courant numbers (c + |V|) dt/h above `limit` are refused; by
@@ -206,18 +206,12 @@ template <class Observer>
 concept TakesWarnings = !std::invocable<Observer&, double> && !std::invocable<Observer&, const progress_state&> &&
                         std::invocable<Observer&, const warning&>;
 
-/// Says once that steps are too large for a free end.
-template <class Solver, class... Observer>
-void warn_of_free_end(Solver& mpm, double number, const step_limit& limit, double dt, Observer&... observers) {
+/// Tells the observers that take warnings, or standard error; once in a solver's life.
+template <class Solver, class Sentence, class... Observer>
+void warn_once(Solver& mpm, double number, double limit, const Sentence& sentence_of, Observer&... observers) {
     if constexpr (requires { mpm.warnings(); }) {
-        if (!(number > limit.free_end) || !mpm.warnings().empty()) return;
-        const warning all{
-            sentence("tamis: ", composition_of(mpm), ": the Courant number ", number, " is above ", limit.free_end,
-                     ", beyond which disturbances may grow at a free end, for a node there has only ", limit.share,
-                     " of an inner node's mass; take steps of at most ", dt * limit.free_end / number,
-                     ", or strain by particles' velocities (usf, usl_plus, usavg_plus), or take smoother functions "
-                     "(docs/stability.md)"),
-            number, limit.free_end};
+        if (!mpm.warnings().empty()) return;
+        const warning all{sentence_of(), number, limit};
         mpm.warn(all.sentence);
         const auto one = [&](auto& observer) {
             if constexpr (TakesWarnings<std::remove_reference_t<decltype(observer)>>) observer(all);
@@ -225,6 +219,32 @@ void warn_of_free_end(Solver& mpm, double number, const step_limit& limit, doubl
         (one(observers), ...);
         if constexpr (!(TakesWarnings<Observer> || ...)) std::fprintf(stderr, "%s\n", all.sentence.c_str());
     }
+}
+/// Steps are too large for a free end.
+template <class Solver, class... Observer>
+void warn_of_free_end(Solver& mpm, double number, const step_limit& limit, double dt, Observer&... observers) {
+    if (!(number > limit.free_end)) return;
+    const auto sentence_of = [&] {
+        return sentence("tamis: ", composition_of(mpm), ": the Courant number ", number, " is above ", limit.free_end,
+                        ", beyond which disturbances may grow at a free end, for a node there has only ", limit.share,
+                        " of an inner node's mass; take steps of at most ", dt * limit.free_end / number,
+                        ", or strain by particles' velocities (usf, usl_plus, usavg_plus), or take smoother functions "
+                        "(docs/stability.md)");
+    };
+    warn_once(mpm, number, limit.free_end, sentence_of, observers...);
+}
+/// An automatic step is taken of a composition whose limit is not known.
+template <class Solver, class... Observer>
+void warn_of_unknown_limit(Solver& mpm, double number, const step_limit& limit, Observer&... observers) {
+    if (limit.known || limit.given) return;
+    const auto sentence_of = [&] {
+        return sentence("tamis: ", composition_of(mpm),
+                        ": nothing is known of how large a step of this composition may ",
+                        "be; courant{} takes the Courant number ", number,
+                        ", which may be too large. Give a number, "
+                        "courant{0.3}, or a limit; stability::critical_numbers finds them (docs/stability.md)");
+    };
+    warn_once(mpm, number, limit.inner, sentence_of, observers...);
 }
 
 template <class Observer> void tell(Observer& observer, const progress_state& state) {
@@ -290,7 +310,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
 }
 
 /// The same with steps chosen by a Courant number; looked at again every 20 steps. Warns if steps are too large for the
-/// bodies' free ends (`warning`).
+/// bodies' free ends, or chosen although nothing is known of the composition (`warning`).
 template <class Solver, class... Body, class... Observer>
 long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pace, Observer&&... observers) {
     using real = typename Solver::real;
@@ -316,6 +336,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pac
             detail::check_courant(mpm, *pace.number, limit, *pace.number * h / speed, done, from);
         const double number = pace.number ? *pace.number : pace.safety * detail::automatic_number(limit);
         detail::warn_of_free_end(mpm, number, limit, number * h / speed, observers...);
+        if (!pace.number) detail::warn_of_unknown_limit(mpm, number, limit, observers...);
         const double wanted = (span.end - from) * speed / (number * h);
         if (!(wanted < 1e15))
             throw error("integrate: the bodies' speed is not finite; check the law and the velocities");

@@ -4,7 +4,7 @@
 
 namespace tamis {
 
-/// When particles are strained (numerics.md, section 5): the parts of the step before the forces and after the
+/// When particles are strained (docs/method.md, Stress orders): the parts of the step before the forces and after the
 /// particles' update, whether the later part uses velocities extrapolated again from the new V, and whether forces,
 /// strains and conditions are all those of the step's start.
 template <class O>

@@ -7,7 +7,7 @@
 namespace tamis {
 
 /// The full mass matrix's series until its last term is small: the error of the inverse by k terms is A^k, and the
-/// size of the k-th term, |dv_k| = sqrt(sum m dv_k^2 / sum m), estimates it (numerics.md, section 3).
+/// size of the k-th term, |dv_k| = sqrt(sum m dv_k^2 / sum m), estimates it (docs/method.md, Mass policies).
 class adaptive_mass {
   public:
     static constexpr bool full = true;

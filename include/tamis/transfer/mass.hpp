@@ -95,9 +95,9 @@ template <class T> struct add_acceleration {
 };
 
 /// `add_term`: A u of the field `From` becomes dv and is added to `To`. `add_series`: so for all A^l u, 0 < l < k, with
-/// A = I - S+ S and S+ = m^-1 S^T M (numerics.md, section 3; Nairn & Hammerquist 2021). By increments: the sum with
-/// alternating binomials is the same in exact arithmetic, but loses k log10(2) digits. `felt`: do particles feel what
-/// conditions take from the increments?
+/// A = I - S+ S and S+ = m^-1 S^T M (docs/method.md, Mass policies; Nairn & Hammerquist 2021). By increments: the sum
+/// with alternating binomials is the same in exact arithmetic, but loses k log10(2) digits. `felt`: do particles feel
+/// what conditions take from the increments?
 template <class To, class From, class Term = field::increment, class Image = field::image, bool Keeps = true,
           class Pass>
 void add_term(bool felt, Pass& pass) {

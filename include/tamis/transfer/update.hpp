@@ -4,10 +4,10 @@
 
 namespace tamis {
 
-// A particle update (numerics.md, section 4) is two formulas. `velocity(p, near, dt)` gives V', `displacement(V, V',
-// near, dt)` gives X' - X. `on_nodes` are the node fields the first reads, `to_move` those the second reads besides:
-// particles that are held never gather them. `start_share` is the part of what the conditions do to the momentum of the
-// step's start that reaches the particles.
+// A particle update (docs/method.md, Particle updates) is two formulas. `velocity(p, near, dt)` gives V',
+// `displacement(V, V', near, dt)` gives X' - X. `on_nodes` are the node fields the first reads, `to_move` those the
+// second reads besides: particles that are held never gather them. `start_share` is the part of what the conditions do
+// to the momentum of the step's start that reaches the particles.
 
 /// PIC: V' = S v+, X' = X + S v+ dt.
 struct set_velocity {

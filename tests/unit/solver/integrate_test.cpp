@@ -98,10 +98,18 @@ TEST_CASE("integrate: without a number steps are a share of the composition's li
     CHECK(integrate(s.mpm, bodies(s.bar), {0, 1}, courant{{}, 0.5, 0.5}) == 32);   // 8/(0.5 0.5)
     CHECK(s.mpm.warnings().empty());
     CHECK(names(refusal({0, 1}, courant{.safety = 1.5}), "safety factor is 1.5"));
-    // The limit of orders that are not in the table is 1.
+    // The limit of orders that are not in the table is 1, which is told.
     solver other{line, linear{}, euler{}, held{}};
     auto bar = other.make_body(law, everywhere, per_cell{1});
-    CHECK(integrate(other, bodies(bar), {0, 1}, courant{}) == 9);  // 8/0.9
+    std::vector<warning> told;
+    const auto listen = [&](const warning& one) { told.push_back(one); };
+    CHECK(integrate(other, bodies(bar), {0, 1}, courant{1. / 2}, listen) == 16);
+    CHECK(told.empty());
+    CHECK(integrate(other, bodies(bar), {0, 1}, courant{}, listen) == 9);  // 8/0.9
+    REQUIRE(told.size() == 1);
+    CHECK(names(told[0].sentence, "linear, flip, euler", "nothing is known", "Courant number 0.9", "courant{0.3}"));
+    CHECK(integrate(other, bodies(bar), {1, 2}, courant{}, listen) == 9);
+    CHECK(told.size() == 1);
 }
 
 TEST_CASE("integrate: steps too large for a free end are told once, to whom it concerns") {

@@ -3,6 +3,7 @@
 #include <tamis/stability/stability.hpp>
 #include <tamis/tamis.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -72,10 +73,65 @@ TEST_CASE("critical: waves along an axis bound the step in two dimensions too") 
 }
 
 TEST_CASE("critical: the shipped table is what the analysis gives") {
-    REQUIRE(std::size(detail::critical_table) == 10 * detail::critical_updates);
+    REQUIRE(std::size(detail::critical_table) == 12 * detail::critical_updates);
     constexpr int fmpm_4 = 5 + 3;
     REQUIRE(detail::critical_fmpm[3] == 4);
     check_row(0, 0, linear{}, flip{}, usl_minus{});
     check_row(fmpm_4, 4, linear{}, fmpm<dynamic>{4}, usl_minus{});
     check_row(detail::critical_shape<quadratic_spline> + fmpm_4, 4, quadratic_spline{}, fmpm<dynamic>{4}, usl_minus{});
+    check_row(detail::critical_shape<ugimp> + detail::critical_updates, 0, ugimp{2}, flip{}, usavg_minus{});
+}
+
+TEST_CASE("critical: blends have numbers between those of FLIP and PIC") {
+    const auto check = [](const auto& shape, const auto& update, const auto& order) {
+        const auto of = [&](int k, const auto& of_update) {
+            return stability::critical_numbers(2, k, shape, of_update, order);
+        };
+        const auto by_flip = of(0, flip{}), by_pic = of(1, pic{}), found = of(1, update);
+        constexpr double found_to = 2e-4;
+        CHECK(found.inner > std::min(by_flip.inner, by_pic.inner) - found_to);
+        CHECK(found.inner < std::max(by_flip.inner, by_pic.inner) + found_to);
+        CHECK(found.free_end > std::min(by_flip.free_end, by_pic.free_end) - found_to);
+        solver mpm{uniform_grid{{0.}, {4.}, 0.25}, shape, update, order};
+        const auto taken = detail::critical_of<typename decltype(mpm)::composition_type>(update, 2);
+        REQUIRE(taken);
+        CHECK(taken->inner < found.inner);
+        CHECK(taken->inner > 0.85 * found.inner);
+        CHECK(taken->at_free_end < found.free_end);
+    };
+    check(linear{}, blend{0.5}, usl_minus{});
+    check(linear{}, blend{0.99}, usf{});
+    check(quadratic_spline{}, graphics_blend{0.9}, usl_minus{});
+}
+
+TEST_CASE("critical: steps of FLIP with FMPM(k) now and then grow no faster than either") {
+    const auto check = [](int k, long period, const auto& shape) {
+        solver mpm{uniform_grid{{0.}, {4.}, 0.25}, shape, periodic_fmpm<dynamic>{k, period}, usl_minus{}};
+        const auto taken = detail::critical_of<typename decltype(mpm)::composition_type>(mpm.scheme(), 2);
+        REQUIRE(taken);
+        double largest = 0;
+        for (const double offset : {0., 0.1, 0.25}) {
+            const auto step_of = [&](int order, const auto& update) {
+                const int reach = stability::reach_of<std::decay_t<decltype(shape)>>(order);
+                return stability::lattice_step<1>(stability::lattice<1>{2, offset}, reach, shape, update, usl_minus{});
+            };
+            const auto by_flip = step_of(0, flip{}), by_fmpm = step_of(k, fmpm<dynamic>{k});
+            for (int n = 1; n <= 16; ++n) {
+                const double wave = std::numbers::pi * n / 16;
+                const auto between = by_flip.of_wave({wave}), last = by_fmpm.of_wave({wave});
+                const auto product = [&](double courant) {
+                    auto matrix = last(courant).eval();
+                    for (long step = 1; step < period; ++step) matrix = (matrix * between(courant)).eval();
+                    return matrix;
+                };
+                largest = std::max(largest, stability::spectral_radius_of(product, std::min(1., taken->inner)));
+            }
+        }
+        CHECK(largest < 1 + 1e-4);
+    };
+    for (const long period : {2L, 5L, 20L}) {
+        check(2, period, linear{});
+        check(4, period, linear{});
+        check(4, period, quadratic_spline{});
+    }
 }
