@@ -83,8 +83,8 @@ template <class Solver, class... Body> struct passes {
         if (assembles) mpm.matrix_.made();
         wrap(typename kernel::list{});
     }
-    /// Fields that `extrapolate` is to add masses and others to become zero, and the entries of the full mass matrix if
-    /// they will be assembled by the way.
+    /// What `extrapolate` is about to add to becomes zero; so do the entries of the full mass matrix, if they are
+    /// assembled by the way: until that is done there is no matrix.
     template <class... F> void clear_sums() {
         if constexpr (C::assembles)
             if (matrix_is_due()) {

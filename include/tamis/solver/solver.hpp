@@ -94,6 +94,10 @@ template <class Grid, class... Policies> class solver {
     template <class F> point<dim, real> on_node(F, const std::array<int, 3>& node) const {
         static_assert(stores<typename C::node_fields, F> && F::template components<S> == dim,
                       "tamis: the composition has no such vector field on its nodes; ask for it by read_out<F>{}");
+        static_assert(!contains<fields<field::increment, field::image>, F>,
+                      "tamis: the increment and its image are working memory of the mass matrix's series, and hold "
+                      "nothing of meaning after a step; inverse_column, or read_out<field::full_acceleration>, tell of "
+                      "the matrix");
         return fields_[0].sweeps.nodes().template get<F>(lattice_.place_of_node(node));
     }
     /// Column of the full mass matrix's inverse by the composed number of terms, that of node (i, j, k), where the
