@@ -9,7 +9,7 @@ namespace {
 template <int D, class... Policies> auto flown(const Policies&... policies) {
     solver mpm{box<D>(12, 8), policies...};
     auto block = stirred_block<D>(mpm);
-    for (int k = 0; k < 20; ++k) mpm.step(bodies(block), 0.01);
+    for (int k = 0; k < 20; ++k) mpm.step(bodies(block), 1. / 256);
     return snapshot(std::as_const(block));
 }
 
