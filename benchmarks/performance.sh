@@ -1,8 +1,8 @@
 #!/bin/sh
 # performance.sh DIRECTORY FILE [TABLE...]: runs the speed benchmarks of a build and writes their tables to FILE, whole
 # or not at all. Tables are kept in DIRECTORY/tables; with names of tables only those are measured anew, for machines
-# that are quiet for a minute at a time. `cmake --build build/default --target performance` measures all: some two
-# minutes; leave the machine alone meanwhile.
+# that are quiet for a minute at a time. `cmake --build build/default --target performance` measures all: two to
+# three minutes; leave the machine alone meanwhile.
 set -eu
 programs=$1
 page=$2
@@ -87,10 +87,8 @@ lanes unevenly: a step over slots is longer by the inverse of the occupancy, and
 take more of caches and memory. "Stopped" is the block at rest where it had drifted to; crossing, the mailbox and new
 tiles, is what is beyond it, as far as the mean occupancies agree.
 Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
-says in 3D, a slot of W particles W times the step above it. That gains little: the emptiest slots have one or two. Fewer
-lanes are filled more evenly (with 64^3 cells 0.82 of four, 0.76 of eight), and still take longer: measured once on a processor
-with eight, 31 ns in full tiles and 42 stopped instead of 25 and 39. The worst case is a jet of scattered single particles: one
-lane of each slot is in use, and a particle costs as much as W.
+says in 3D, a slot of W particles W times the step above it. That gains little: the emptiest slots have one or two. The
+worst case is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
 END
             ;;
             memory) cat << 'END'
