@@ -5,6 +5,7 @@
 #include <tamis/core/each_of.hpp>
 #include <tamis/core/error.hpp>
 #include <tamis/grid/lattice.hpp>
+#include <tamis/grid/node_range.hpp>
 #include <tamis/grid/node_table.hpp>
 
 #include <algorithm>
@@ -48,28 +49,48 @@ class held_nodes {
 
     held_by how() const { return method_.how; }
 
-    /// Momentum p takes its held values of time t. `share` is the part of that change that reaches the particles.
-    template <class Nodes>
-    void start(const Nodes& nodes, double t, bool masses_are_new, const real& inverse_dt, double share) {
+    // What is done to nodes is done to those of a range; the values of all of them are made before. In a step: values
+    // of the start, values of the end, then `start` and `forces`, range by range or for all nodes at once.
+
+    /// Values of time t, the step's start.
+    void start_values(double t) {
         if constexpr (any) {
-            set_values(t);
-            each([&](entry& e) {
+            if (set_values(t)) check_values();
+            each([](entry& e) {
+                e.before = e.node.velocity;
+                e.start_value = e.value;
+            });
+        }
+    }
+    /// ... and its end; `check_values` is to follow, once the nodes' masses are there.
+    void end_values(double t) {
+        if constexpr (any) set_values(t);
+    }
+    /// Throws `error` where conditions that hold the same direction of a node do not agree about it.
+    void check_values() const {
+        if constexpr (any)
+            for (const repeated& r : repeated_) check_repeated(r, values_at_);
+    }
+    /// Momentum p takes its held values of the start. `share` is the part of that change that reaches the particles.
+    template <class Nodes> void start(const Nodes& nodes, bool masses_are_new, const real& inverse_dt, double share,
+                                      const node_range& range = {}) {
+        if constexpr (any) {
+            each(range, [&](entry& e) {
                 if (masses_are_new) take_mass<typename Sums::mass>(nodes, e);
                 if (on_momentum(how()))
-                    e.node.reaction = impose(nodes, e) * (constant<real>(share) * inverse_dt);
+                    e.node.reaction = impose(nodes, e, e.start_value) * (constant<real>(share) * inverse_dt);
                 else
                     e.node.reaction.setZero();
             });
         }
     }
-    /// Force f becomes the one that carries p (with its values of t) to the held values of time t. The momentum's
-    /// column holds the momentum itself, or already the velocity.
-    template <bool HoldsVelocity, class Nodes> void forces(const Nodes& nodes, double t, const real& inverse_dt) {
+    /// Force f becomes the one that carries p (with its values of the start) to the held values of the end. The
+    /// momentum's column holds the momentum itself, or already the velocity.
+    template <bool HoldsVelocity, class Nodes>
+    void forces(const Nodes& nodes, const real& inverse_dt, const node_range& range = {}) {
         if constexpr (any) {
-            each([](entry& e) { e.before = e.node.velocity; });
-            set_values(t);
             if (!on_momentum(how())) return;
-            each([&](entry& e) {
+            each(range, [&](entry& e) {
                 if (!(e.mass > real(0))) return;
                 const vector p =
                     nodes.template get<typename Sums::momentum>(e.place) * (HoldsVelocity ? e.mass : real(1));
@@ -87,16 +108,16 @@ class held_nodes {
     /// Momentum p takes its held values of time t; no reaction (particles do not see p).
     template <class Nodes> void extrapolated(const Nodes& nodes, double t) {
         if constexpr (any) {
-            set_values(t);
-            if (on_momentum(how())) each([&](entry& e) { impose(nodes, e); });
+            if (set_values(t)) check_values();
+            if (on_momentum(how())) each([&](entry& e) { impose(nodes, e, e.value); });
         }
     }
     /// Held components of an increment become zero, in it and in the sum it was already added to.
     template <class Increment, class Sum, class Nodes>
-    void increment(const Nodes& nodes, const real& inverse_dt, bool counts) {
+    void increment(const Nodes& nodes, const real& inverse_dt, bool counts, const node_range& range = {}) {
         if constexpr (any) {
             if (how() != held_by::increments) return;
-            each([&](entry& e) {
+            each(range, [&](entry& e) {
                 const vector dv = nodes.template get<Increment>(e.place), sum = nodes.template get<Sum>(e.place);
                 vector gone = vector::Zero();
                 for (int k = 0; k < D && k < e.directions; ++k) gone += e.normal[at(k)].dot(dv) * e.normal[at(k)];
@@ -219,7 +240,7 @@ class held_nodes {
         std::array<std::array<real, static_cast<std::size_t>(D)>, static_cast<std::size_t>(D)>
             map{};                                              // normal = map * given
         std::array<int, static_cast<std::size_t>(D)> source{};  // index into given_
-        std::array<real, static_cast<std::size_t>(D)> value{};
+        std::array<real, static_cast<std::size_t>(D)> value{}, start_value{};
         real mass{};
         vector before = vector::Zero(), lumped = vector::Zero();
         int row = -1;  // of inverse_
@@ -249,16 +270,25 @@ class held_nodes {
     template <class F> void each(F f) {
         for (const std::uint32_t k : active_) f(entries_[k]);
     }
+    /// ... those of a range; entries are in the order of their places.
+    template <class F> void each(const node_range& range, F f) {
+        auto k = active_.begin();
+        if (range.first > 0)
+            k = std::lower_bound(k, active_.end(), range.first,
+                                 [&](std::uint32_t e, std::size_t place) { return entries_[e].place < place; });
+        for (; k != active_.end() && entries_[*k].place < range.last; ++k) f(entries_[*k]);
+    }
     template <class Mass, class Nodes> static void take_mass(const Nodes& nodes, entry& e) {
         e.mass = nodes.template at<Mass>(e.place);
         if (!(e.mass > real(0)) || e.mass < least_mass<real>()) e.mass = real(0);
     }
     /// Held components of the momentum take their values: the change.
-    template <class Nodes> static vector impose(const Nodes& nodes, const entry& e) {
+    template <class Nodes> static vector impose(const Nodes& nodes, const entry& e,
+                                                const std::array<real, static_cast<std::size_t>(D)>& value) {
         const vector before = nodes.template get<typename Sums::momentum>(e.place);
         vector change = vector::Zero();
         for (int k = 0; k < D && k < e.directions; ++k)
-            change += (e.mass * e.value[at(k)] - e.normal[at(k)].dot(before)) * e.normal[at(k)];
+            change += (e.mass * value[at(k)] - e.normal[at(k)].dot(before)) * e.normal[at(k)];
         nodes.template put<typename Sums::momentum>(e.place, vector(before + change));
         return change;
     }
@@ -292,9 +322,9 @@ class held_nodes {
         });
         return u;
     }
-    /// Values of time t. The end of one step is the start of the next: they are made once.
-    void set_values(double t) {
-        if (t == values_at_) return;
+    /// Values of time t. The end of one step is the start of the next: they are made once. Are they new?
+    bool set_values(double t) {
+        if (t == values_at_) return false;
         values_at_ = t;
         each([&](entry& e) {
             e.node.velocity.setZero();
@@ -308,7 +338,7 @@ class held_nodes {
                 e.node.velocity += value * e.normal[at(k)];
             }
         });
-        for (const repeated& r : repeated_) check_repeated(r, t);
+        return true;
     }
     void check_repeated(const repeated& r, double t) const {
         using std::abs;

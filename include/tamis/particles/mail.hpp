@@ -50,12 +50,11 @@ template <class real, int Components> class mail {
     /// hand(place) of the letters written since it was last called, in the order of the outboxes; true if a letter is
     /// to be delivered, false if it is no more. Returns how many are to be delivered.
     template <class Hand> std::size_t each_new(Hand hand) {
-        std::size_t handed = 0;
+        const std::size_t before = waiting_;
         for (std::uint32_t b = 0; b < boxes_.size(); ++b)
             for (auto& box = boxes_[b]; box.seen < box.letters.size(); ++box.seen)
-                handed += hand(letter_place{b, box.seen}) ? 1 : 0;
-        waiting_ += handed;
-        return handed;
+                waiting_ += hand(letter_place{b, box.seen}) ? 1 : 0;
+        return waiting_ - before;
     }
     /// Are there letters to be delivered?
     bool waits() const { return waiting_ > 0; }

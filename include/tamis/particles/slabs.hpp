@@ -30,6 +30,7 @@ class slab_order {
         std::sort(order_.begin() + before, order_.end(), by_node);
         std::inplace_merge(order_.begin(), order_.begin() + before, order_.end(), by_node);
         ends_.assign(1, 0);
+        begins_.assign(1, tiles.empty() ? 0 : tiles[order_.front()].at[outermost]);
         if (tiles.size() > 64) {
             const int low = tiles[order_.front()].at[outermost];
             const int extent = tiles[order_.back()].at[outermost] - low + 1;
@@ -39,11 +40,14 @@ class slab_order {
                 std::uint32_t last = ends_.back();
                 while (last < order_.size() && tiles[order_[last]].at[outermost] < end) ++last;
                 ends_.push_back(last);
+                begins_.push_back(end);
             }
         } else
             ends_.push_back(static_cast<std::uint32_t>(order_.size()));
     }
     std::size_t count() const { return ends_.size() - 1; }
+    /// Where slab k begins: its cells along the outermost axis are none before this one.
+    int begin_of(std::size_t k) const { return begins_[k]; }
     /// The tiles of slab k.
     std::span<const std::uint32_t> tiles_of(std::size_t k) const {
         return {order_.data() + ends_[k], ends_[k + 1] - ends_[k]};
@@ -52,11 +56,12 @@ class slab_order {
   private:
     bool arranged_ = false;
     std::vector<std::uint32_t> order_, ends_{0};
+    std::vector<int> begins_{0};
 
-    /// How many slabs of equal thickness, where there is room for so many: at most 32, and as many in each colour as
+    /// How many slabs of equal thickness, where there is room for so many: at most 128, and as many in each colour as
     /// two threads can share evenly.
     static int slabs_across(int most) {
-        const int count = std::min(most, 32);
+        const int count = std::min(most, 128);
         return count >= 8 ? count / 4 * 4 : std::max(count, 1);
     }
 };

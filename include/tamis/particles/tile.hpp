@@ -98,7 +98,7 @@ template <class S, class List> class tile_store {
                                        const std::array<int, 3>& from_cell, const std::array<int, 3>& cell) {
         // The tile is looked for here, where it is near those that the processor has at hand.
         const bool inside = cell[0] != outside;
-        auto& to = mail_.write(
+        auto& to = written_.write(
             slab, inside ? std::as_const(tile_of_block_)[lattice.block_place({cell[0] / W, cell[1], cell[2]})] : 0,
             static_cast<std::uint32_t>(inside ? cell[0] % W : 0));
         const real* from = lane_of(s, l);
@@ -111,37 +111,19 @@ template <class S, class List> class tile_store {
     /// Gives back the slots that a tile no longer needs, after it posted particles.
     void shrink(std::size_t slab, tile& t) {
         while (t.count > 0 && occupied[t.first + t.count - 1] == 0) --t.count;
-        if (t.count == 0) mail_.tell_emptied(slab);
+        if (t.count == 0) written_.tell_emptied(slab);
     }
     /// Hands the letters of all outboxes, in their order, to the tiles. Returns how many there were. `left(letter)`
     /// decides about particles outside the grid: it gives their cell and place valid values, or returns false to remove
     /// them.
     template <class Lattice, class Left, class Execution = serial>
     std::size_t sort_mail(const Lattice& lattice, Left&& left, const Execution& run = {}) {
-        emptied_ = mail_.take_emptied() || emptied_;
-        const bool others_wait = mail_.waits();
-        got_letters_.clear();
-        const std::size_t handed = mail_.each_new([&](const letter_place& k) {
-            auto& to = mail_.address_of(k);
-            if (to.tile == 0) {
-                auto& letter = mail_.at(k);
-                if (letter.cell[0] == outside && !left(letter)) {
-                    --count_;
-                    return false;
-                }
-                to.tile = tile_at(lattice, letter.cell) + 1;
-                to.lane = static_cast<std::uint32_t>(letter.cell[0] % W);
-            }
-            const auto index = static_cast<std::uint32_t>(to.tile - 1);
-            tile& t = tiles[index];
-            if (t.letter.is_none() || others_wait) got_letters_.push_back(index);
-            to.next = std::exchange(t.letter, k);
-            ++t.letters;
-            return true;
-        });
-        make_rooms_for_letters(lattice, run);
-        if (!mail_.waits()) mail_.clear();  // all were removed
-        return handed;
+        // What an earlier call left, that ran out of memory, is not mixed with what was written since.
+        const std::size_t left_over = hand_out(lattice, left, run);
+        deliver_all();
+        emptied_ = written_.take_emptied() || emptied_;
+        std::swap(mail_, written_);
+        return left_over + hand_out(lattice, left, run);
     }
     bool has_mail() const { return mail_.waits(); }
     /// Puts a tile's letters in.
@@ -224,11 +206,21 @@ template <class S, class List> class tile_store {
     /// Brings the slabs up to date, for functions that reach N nodes along an axis.
     template <int N> void arrange() {
         slabs_.arrange(tiles, static_cast<std::size_t>(D - 1), D == 1 ? (N - 2) / W + 1 : N - 1);
-        mail_.have_boxes(slabs());
+        for (auto* one : {&mail_, &written_}) one->have_boxes(slabs());
     }
     std::size_t slabs() const { return slabs_.count(); }
     /// The tiles of slab k, in the order of their nodes.
     std::span<const std::uint32_t> row(std::size_t k) const { return slabs_.tiles_of(k); }
+    /// Storage places of the first nodes that each slab, with all after it, may reach.
+    template <class Lattice> std::vector<std::size_t> first_nodes(const Lattice& lattice) const {
+        std::vector<std::size_t> all;
+        for (std::size_t k = 0; k < slabs(); ++k) {
+            std::array<int, 3> cell{0, 0, 0};
+            cell[static_cast<std::size_t>(D - 1)] = slabs_.begin_of(k);
+            all.push_back(lattice.first_node(cell));
+        }
+        return all;
+    }
     /// Storage place of the first node that slab k reaches.
     std::size_t first_place(std::size_t k) const { return tiles[row(k).front()].node; }
     /// Asks for fields of a slot that will be needed soon: after particles have crossed cells, tiles that follow one
@@ -257,7 +249,7 @@ template <class S, class List> class tile_store {
     }
 
   private:
-    mail_type mail_;  // an outbox for each slab
+    mail_type mail_, written_;  // to be delivered, and not sorted yet; an outbox for each slab
     std::vector<std::uint32_t> got_letters_;
     bool emptied_ = false;
     slab_order slabs_;
@@ -286,6 +278,31 @@ template <class S, class List> class tile_store {
     /// How many slots there may be before they are sorted. Addresses for them are taken at once, memory when they come:
     /// so slots are not copied as they become more.
     static std::size_t with_growth(std::size_t needed) { return needed + needed / 2 + 256; }
+    template <class Lattice, class Left, class Execution>
+    std::size_t hand_out(const Lattice& lattice, Left&& left, const Execution& run) {
+        got_letters_.clear();
+        const std::size_t handed = mail_.each_new([&](const letter_place& k) {
+            auto& to = mail_.address_of(k);
+            if (to.tile == 0) {
+                auto& letter = mail_.at(k);
+                if (letter.cell[0] == outside && !left(letter)) {
+                    --count_;
+                    return false;
+                }
+                to.tile = tile_at(lattice, letter.cell) + 1;
+                to.lane = static_cast<std::uint32_t>(letter.cell[0] % W);
+            }
+            const auto index = static_cast<std::uint32_t>(to.tile - 1);
+            tile& t = tiles[index];
+            if (t.letter.is_none()) got_letters_.push_back(index);
+            to.next = std::exchange(t.letter, k);
+            ++t.letters;
+            return true;
+        });
+        make_rooms_for_letters(lattice, run);
+        if (!mail_.waits()) mail_.clear();  // all were removed
+        return handed;
+    }
     /// Slots are made here, not in `deliver`: that may run in several threads. Where the addresses do not suffice for
     /// all, gaps have become many: then tiles are sorted.
     template <class Lattice, class Execution>

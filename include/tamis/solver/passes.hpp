@@ -46,7 +46,25 @@ template <class Solver, class... Body> struct passes {
         each_of(all, [&](auto& b) { f(b, mpm.field_of(k++).sweeps); });
     }
     template <class F> void each_held(F f) {
-        for (auto& field : mpm.fields_) f(field.held, field.sweeps.nodes());
+        if constexpr (Solver::held_type::any) {
+            run_waiting();
+            for (auto& field : mpm.fields_) f(field.held, field.sweeps.nodes());
+        }
+    }
+    /// f(held, nodes, range), which looks at the nodes of a range only.
+    template <class F> void each_held_in(F f) {
+        if constexpr (Solver::held_type::any)
+            for (auto& field : mpm.fields_)
+                field.sweeps.over_nodes(
+                    [f, &field](const node_range& range) { f(field.held, field.sweeps.nodes(), range); });
+    }
+    /// f(held), which looks at no node.
+    template <class F> void each_condition(F f) {
+        for (auto& field : mpm.fields_) f(field.held);
+    }
+    /// What was to be run together is run: somebody is about to look at its results.
+    void run_waiting() {
+        for (auto& field : mpm.fields_) field.sweeps.run_waiting();
     }
     template <class... F, class Kernel> void nodes(fields<F...> list, Kernel kernel) {
         for (auto& field : mpm.fields_) field.sweeps.each_node(list, kernel);
@@ -112,7 +130,10 @@ template <class Solver, class... Body> struct passes {
             find_contact();
             mpm.contact_.momentum(tables(), constant<real>(share), inverse_dt);
         }
-        each_held([&](auto& held, auto& table) { held.start(table, t, C::moves, inverse_dt, share); });
+        each_condition([&](auto& held) { held.start_values(t); });
+        each_held_in([share, per_dt = inverse_dt](auto& held, auto& table, const node_range& range) {
+            held.start(table, C::moves, per_dt, share, range);
+        });
     }
     /// The forces, which carry the momentum to what it may be at the end.
     template <bool HoldsVelocity> void constrain_forces(double t) {
@@ -122,7 +143,12 @@ template <class Solver, class... Body> struct passes {
             });
         if constexpr (C::own_velocities)
             if (acts_on_momentum) mpm.contact_.template forces<HoldsVelocity>(tables(), dt_);
-        each_held([&](auto& held, auto& table) { held.template forces<HoldsVelocity>(table, t, inverse_dt); });
+        each_condition([&](auto& held) { held.end_values(t); });
+        each_held_in([per_dt = inverse_dt](auto& held, auto& table, const node_range& range) {
+            held.template forces<HoldsVelocity>(table, per_dt, range);
+        });
+        if constexpr (Solver::held_type::any)
+            for (auto& field : mpm.fields_) field.sweeps.at_end([&held = field.held] { held.check_values(); });
     }
     /// A momentum extrapolated after the update.
     void extrapolated(double t) {
@@ -131,7 +157,8 @@ template <class Solver, class... Body> struct passes {
         each_held([&](auto& held, auto& table) { held.extrapolated(table, t); });
     }
     void finish() {
-        each_held([&](auto& held, auto&) { held.finish(dt_); });
+        if constexpr (Solver::held_type::any)
+            for (auto& field : mpm.fields_) field.sweeps.at_end([&held = field.held, dt = dt_] { held.finish(dt); });
     }
     /// m and p become 1/m and v.
     void velocity_of_momentum() { nodes(detail::velocity_of_momentum<C::moves>{}); }
@@ -203,7 +230,10 @@ template <class Solver, class... Body> struct passes {
             if constexpr (C::touch::method_type::terms != contact_terms::untouched)
                 mpm.contact_.template increment<Increment, Sum>(tables(), inverse_dt, felt,
                                                                 std::exchange(first_increment, false));
-        each_held([&](auto& held, auto& table) { held.template increment<Increment, Sum>(table, inverse_dt, felt); });
+        if constexpr (Solver::held_type::any)
+            each_held_in([felt, per_dt = inverse_dt](auto& held, auto& table, const node_range& range) {
+                held.template increment<Increment, Sum>(table, per_dt, felt, range);
+            });
     }
     /// sqrt(sum m dv^2 / sum m) over nodes (m/s).
     double increment_size() {
@@ -221,9 +251,11 @@ template <class Solver, class... Body> struct passes {
     std::uint64_t weights_stamp() const { return mpm.matrix_.weights(); }
     std::size_t places() const { return mpm.lattice_.size(); }
     template <class F> void each_weight_pair(F f) {
+        run_waiting();
         each_body([&](auto& b, auto& sweeps) { sweeps.each_weight_pair(b, f); });
     }
     template <class Field, class F> void each_column(Field, F f) {
+        run_waiting();
         for (auto& field : mpm.fields_)
             for (int c = 0; c < Field::template components<S>; ++c)
                 field.sweeps.nodes().template with_column<Field>(c, f);
@@ -322,6 +354,7 @@ template <class Solver, class... Body> struct passes {
             return no_flow{};
         else {
             using carries = typename B::law_type::carries;
+            run_waiting();
             auto& own = b.carried_nodes().table;
             if (!own)
                 own = std::make_unique<typename std::remove_reference_t<decltype(own)>::element_type>(

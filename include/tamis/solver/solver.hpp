@@ -59,6 +59,7 @@ template <class Grid, class... Policies> class solver {
         steps_ = 0;
         crossings_ = 0;
         ahead_.used = 0;
+        steps_in_waves_ = 0;
         for (auto& field : fields_) field.held.restart();
         if constexpr (C::own_velocities) contact_.restart();
         detail::restart_loads(load_);
@@ -123,6 +124,9 @@ template <class Grid, class... Policies> class solver {
     /// Steps that found their sums over the particles made by the step before, in the pass that updated them. Always 0
     /// where the composition cannot do so: in 2D and 3D, under loads, with a full mass matrix, ...
     long steps_in_one_pass() const { return ahead_.used; }
+    /// Steps whose passes were run together, slab by slab (docs/storage.md, Waves): those of one body of more than a
+    /// megabyte, in 2D and 3D.
+    long steps_in_waves() const { return steps_in_waves_; }
     /// Mass of the lightest node that particles reach and no condition holds, where the particles are now (kg);
     /// infinity if there is none. Such nodes bound the time step at free ends (docs/stability.md).
     template <class... Body> double lightest_free_node(std::tuple<Body&...> all) {
@@ -194,6 +198,8 @@ template <class Grid, class... Policies> class solver {
         detail::check_step(detail::to_double(dt), time_, end);
         prepare(all);
         if constexpr (requires { transfer_.begin_step(steps_); }) transfer_.begin_step(steps_);
+        for (auto& field : fields_) field.sweeps.begin_step();
+        const together run_together(*this, all);
         detail::passes<solver, Body...> now{*this, all, dt};
         const double held_start = order::explicit_euler ? previous_ : time_;
         const double held_end = order::explicit_euler ? time_ : end;
@@ -250,6 +256,7 @@ template <class Grid, class... Policies> class solver {
             weights_change();
             now.template strain<field::velocity, C::moves>(real(order::after) * dt);
         }
+        now.run_waiting();
         previous_ = time_;
         time_ = end;
         ++steps_;
@@ -283,12 +290,13 @@ template <class Grid, class... Policies> class solver {
     fields_type fields_;  // one for all bodies, or one for each
     contact_type contact_;
     double start_ = 0, previous_ = 0, time_ = 0;  // of the run, of the last step's start, now
-    long steps_ = 0;
+    long steps_ = 0, steps_in_waves_ = 0;
     std::size_t crossings_ = 0;
     series_report series_;
     std::vector<std::string> warnings_;
     bool image_is_zero_ = false;  // on all nodes, so that the next sum can begin
     detail::assembled_matrix<C> matrix_;
+    detail::wavefront waiting_;
     std::vector<std::uint64_t> seen_;  // stamps of the bodies as they were prepared
     /// The next step's sums over the particles (`composition::sums_ahead`): are they there, of which state of the body,
     /// and is it worth while to make them?
@@ -334,6 +342,39 @@ template <class Grid, class... Policies> class solver {
             return {velocity_field(shape_, lattice_, run_, boundary_, method_)};
     }
     velocity_field& field_of(std::size_t body) { return fields_[C::own_velocities ? body : 0]; }
+
+    /// The passes of a step of one body are run together, slab by slab, where that many particles are beyond what
+    /// caches hold. What throws meanwhile leaves no pass to be run, and no matrix of sums that were not finished.
+    class together {
+      public:
+        template <class... Body> together(solver& mpm, std::tuple<Body&...>& all) : mpm_(mpm) {
+            if constexpr (sweeps_type::may_wait && sizeof...(Body) == 1 && !C::own_velocities) {
+                const auto& store = std::get<0>(all).store();
+                const std::size_t bytes = store.slots.size() * sizeof(store.slots.front());
+                if (store.slabs() < 8 || bytes < wait_from || detail::any_axis_wraps(mpm.lattice_)) return;
+                std::vector<std::size_t> tiles;
+                for (std::size_t k = 0; k < store.slabs(); ++k) tiles.push_back(store.row(k).size());
+                mpm_.waiting_.start(store.first_nodes(mpm_.lattice_), tiles, mpm_.run_.count());
+                mpm_.fields_[0].sweeps.wait_in(&mpm_.waiting_);
+                waits_ = true;
+                ++mpm_.steps_in_waves_;
+            }
+        }
+        ~together() {
+            if (!waits_) return;
+            mpm_.fields_[0].sweeps.wait_in(nullptr);
+            if (mpm_.waiting_.empty()) return;
+            mpm_.waiting_.clear();
+            mpm_.weights_change();
+        }
+        together(const together&) = delete;
+        together& operator=(const together&) = delete;
+
+      private:
+        static constexpr std::size_t wait_from = std::size_t(1) << 20;
+        solver& mpm_;
+        bool waits_ = false;
+    };
 
     /// Particles are about to move, if they do: what throws then must not leave a matrix of where they were.
     void weights_change() {

@@ -2,6 +2,7 @@
 #include <tamis/grid/node_table.hpp>
 #include <tamis/particles/body.hpp>
 #include <tamis/particles/leavers.hpp>
+#include <tamis/solver/wavefront.hpp>
 #include <tamis/transfer/assemble.hpp>
 #include <tamis/transfer/gather.hpp>
 #include <tamis/transfer/running_sums.hpp>
@@ -29,6 +30,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     using nodes_type = node_table<S, NodeFields>;
     using weigh_type = tile_weights<S, Shape, Moves>;
     static constexpr int W = S::width, N = Shape::support;
+    /// May passes wait, to be run together with others? In 1D the nodes, and mostly the particles, are in the caches.
+    static constexpr bool may_wait = S::dim > 1 && knows_its_count<Execution>;
 
     sweeps(const Shape& functions, const lattice_type& lattice, const Execution& run)
         : functions_(functions),
@@ -44,22 +47,34 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         if constexpr (nodes_type::in_columns)
             nodes_.template set_zero<F...>();
         else
-            in_chunks(run_, nodes_.active().size(), 1024,
-                      [&](std::size_t begin, std::size_t end) { nodes_.template set_zero_in<F...>(begin, end); });
+            over_blocks(1024,
+                        [this](std::size_t begin, std::size_t end) { nodes_.template set_zero_in<F...>(begin, end); });
     }
 
     /// kernel(i) for all active nodes, W at a time; i shows the fields of the list.
     template <class... F, class Kernel> void each_node(fields<F...>, Kernel kernel) {
-        const auto& active = nodes_.active();
         // A copy of the kernel: what is stored might, for all the compiler knows, change one that it refers to.
-        in_chunks(run_, active.size(), chunk, [&, kernel](std::size_t begin, std::size_t end) {
-            node_blocks<fields<F...>>(active.data() + begin, end - begin, kernel);
+        over_blocks(chunk, [this, kernel](std::size_t begin, std::size_t end) {
+            node_blocks<fields<F...>>(nodes_.active().data() + begin, end - begin, kernel);
         });
+    }
+    /// f(range) for all nodes at once, or range by range where passes are run together.
+    template <class F> void over_nodes(F f) {
+        if constexpr (may_wait)
+            if (waiting_ != nullptr) return waiting_->over_nodes(std::move(f));
+        f(node_range{});
+    }
+    /// f() once all passes that wait have been run.
+    template <class F> void at_end(F f) {
+        if constexpr (may_wait)
+            if (waiting_ != nullptr) return waiting_->at_end(std::move(f));
+        f();
     }
 
     /// Sums over all active nodes of the numbers that kernel(i) gives, in an order that does not depend on threads.
     template <std::size_t Count, class... F, class Kernel>
     std::array<real, Count> sum_over_nodes(fields<F...>, Kernel kernel) {
+        run_waiting();
         const auto& active = nodes_.active();
         const std::size_t chunks = (active.size() + chunk - 1) / chunk;
         parts_.resize(std::max(parts_.size(), chunks * Count));
@@ -90,9 +105,10 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     /// The same, and what the particles have in the full mass matrix, added to its entries while they are at hand.
     template <class Shown, class ToNodes, class Body, class Kernel>
     void scatter_and_assemble(Body& body, Kernel kernel) {
-        scatter_onto<Shown, ToNodes>(nodes_, body, kernel, [&](const tile& t, const weigh_type& weigh) {
+        auto& store = body.store();
+        scatter_onto<Shown, ToNodes>(nodes_, body, kernel, [this, &store](const tile& t, const weigh_type& weigh) {
             const auto at_hand = [](std::uint32_t) TAMIS_INLINE_LAMBDA {};
-            matrix_of_tile<S, Shape>::add(lattice_, nodes_, body.store().slots.data(), t, weigh, at_hand);
+            matrix_of_tile<S, Shape>::add(lattice_, nodes_, store.slots.data(), t, weigh, at_hand);
         });
     }
     /// The same onto another table of nodes; `also(tile, its weights)` follows for each tile.
@@ -101,7 +117,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         auto& store = body.store();
         const bool mail = store.has_mail();
         using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
-        each_tile_by_colour(store, [&](tile& t, const auto* next) {
+        each_tile_by_colour(store, [this, &table, &store, mail, kernel, also](tile& t, const auto* next) {
             if (mail) store.deliver(t);
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto& slot, const auto&, const auto& at)
@@ -111,14 +127,14 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                                          make, kernel);
             also(t, weigh);
         });
-        if (mail) store.mail_delivered();
+        if (mail) at_end([&store] { store.mail_delivered(); });
     }
 
     /// Adds what the particles of a body have in the full mass matrix to its entries at the nodes.
     template <class Body> void assemble_matrix(Body& body) {
         auto& store = body.store();
         using reads = merge<typename weigh_type::reads, fields<field::mass>>;
-        each_tile_by_colour(store, [&](const tile& t, const auto* next) {
+        each_tile_by_colour(store, [this, &store](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
             const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k, reads{}); };
             matrix_of_tile<S, Shape>::add(lattice_, nodes_, store.slots.data(), t, weigh, fetch);
@@ -130,10 +146,14 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         std::array<std::ptrdiff_t, static_cast<std::size_t>(entries::rows)> steps;
         for (int row = 0; row < entries::rows; ++row)
             steps[static_cast<std::size_t>(row)] = lattice_.row_step(entries::steps(row));
-        const auto& active = nodes_.active();
-        in_chunks(run_, active.size(), chunk, [&, steps, use](std::size_t begin, std::size_t end) {
-            multiply_blocks<S, N, From>(nodes_.columns(), active.data() + begin, end - begin, steps, use);
-        });
+        const auto multiply = [this, steps, use](std::size_t begin, std::size_t end) {
+            multiply_blocks<S, N, From>(nodes_.columns(), nodes_.active().data() + begin, end - begin, steps, use);
+        };
+        if constexpr (may_wait)
+            if (waiting_ != nullptr)
+                return waiting_->around_nodes(
+                    [this, multiply](const node_range& range) { in_blocks(serial{}, range, chunk, multiply); });
+        in_blocks(run_, {}, chunk, multiply);
     }
 
     /// As `scatter` with made = kernel.make(slot, gathered), gathered: S F for all node fields F of `Read`, and the
@@ -142,7 +162,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
         using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
-        each_tile_by_colour(store, [&](const tile& t, const auto* next) {
+        each_tile_by_colour(store, [this, &store, kernel](const tile& t, const auto* next) {
             const weigh_type weigh(functions_, lattice_, t);
             const nodes_around<S, Shape, typename with_gradient<Read, Gradient>::type> around(lattice_, nodes_, t.node);
             const auto make = [&](const auto& slot, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
@@ -184,10 +204,10 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Sums, class Gradient, class Body, class Kernel> void gather_each(Body& body, Kernel kernel) {
         auto& store = body.store();
         ++store.updates;
-        run_.for_each(store.slabs(), [&](std::size_t k) {
+        over_slabs(store, [this, &store, kernel](std::size_t k) {
+            Kernel own = kernel;
             store.each_tile_and_next(k, [&](std::size_t j, const auto* next) {
-                [[maybe_unused]] const some_slots left =
-                    gather_tile<Sums, Gradient>(store, store.tiles[j], next, kernel);
+                [[maybe_unused]] const some_slots left = gather_tile<Sums, Gradient>(store, store.tiles[j], next, own);
                 if constexpr (Moves)
                     if (left.any()) [[unlikely]]
                         post_leavers(store, lattice_, k, j, left);
@@ -239,6 +259,15 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         return ahead && !some_left;
     }
 
+    /// Sums are made in the same order in every step from here on.
+    void begin_step() { first_colour_ = 0; }
+    /// Passes wait, to be run together, from now on until `run_waiting`. For one body, and nodes that no axis wraps.
+    void wait_in(wavefront* waiting) { waiting_ = waiting; }
+    void run_waiting() {
+        if constexpr (may_wait)
+            if (waiting_ != nullptr) waiting_->run(run_);
+    }
+
   private:
     static constexpr std::size_t chunk = 256;  // blocks of nodes that one call of the execution looks at
     const Shape& functions_;
@@ -247,15 +276,48 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     nodes_type nodes_;
     std::vector<char, aligned_allocator<char>> scratch_;  // of gather_and_scatter, kept from step to step
     std::vector<T> parts_;                                // of sums over nodes
+    int first_colour_ = 0;
+    wavefront* waiting_ = nullptr;  // passes that are to be run together, if any
 
-    /// Slabs k and k + 2 share no node: even ones first, then odd ones, whatever the number of threads.
-    template <class Store, class F> void each_tile_by_colour(Store& store, const F& f) {
+    /// f(first, last) for the active blocks, from the first-th to the one before the last-th, in parts.
+    template <class F> void over_blocks(std::size_t part, F f) {
+        if constexpr (may_wait)
+            if (waiting_ != nullptr)
+                return waiting_->over_nodes(
+                    [this, part, f](const node_range& range) { in_blocks(serial{}, range, part, f); });
+        in_blocks(run_, {}, part, f);
+    }
+    template <class Runs, class F>
+    void in_blocks(const Runs& run, const node_range& range, std::size_t part, const F& f) {
+        const auto& active = nodes_.active();
+        const auto before = [&](std::size_t place) {
+            if (place == node_range::end) return active.size();
+            const auto block = static_cast<std::uint32_t>(place / static_cast<std::size_t>(W));
+            return static_cast<std::size_t>(std::lower_bound(active.begin(), active.end(), block) - active.begin());
+        };
+        const std::size_t first = range.first == 0 ? 0 : before(range.first), last = before(range.last);
+        in_chunks(run, last - first, part, [&](std::size_t begin, std::size_t end) { f(first + begin, first + end); });
+    }
+    /// f(slab), in any order.
+    template <class Store, class F> void over_slabs(Store& store, F f) {
+        if constexpr (may_wait)
+            if (waiting_ != nullptr) return waiting_->over_slabs(std::move(f));
+        run_.for_each(store.slabs(), f);
+    }
+    /// Slabs k and k + 2 share no node: those of one colour first, then the others, whatever the number of threads.
+    /// Passes that follow one another begin with the one and the other colour, so that little lies between them where
+    /// they are run together.
+    template <class Store, class F> void each_tile_by_colour(Store& store, F f) {
+        const auto slab = [&store, f](std::size_t k) {
+            store.each_tile_and_next(k, [&](std::size_t j, const auto* next) { f(store.tiles[j], next); });
+        };
+        const int first = first_colour_;
+        first_colour_ = 1 - first_colour_;
+        if constexpr (may_wait)
+            if (waiting_ != nullptr) return waiting_->over_slabs(slab, first);
         const std::size_t slabs = store.slabs();
-        for (std::size_t colour = 0; colour < 2 && colour < slabs; ++colour)
-            run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) {
-                store.each_tile_and_next(2 * k + colour,
-                                         [&](std::size_t j, const auto* next) { f(store.tiles[j], next); });
-            });
+        for (const auto colour : {static_cast<std::size_t>(first), static_cast<std::size_t>(1 - first)})
+            if (colour < slabs) run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) { slab(2 * k + colour); });
     }
 
     template <class Shown, class Kernel>

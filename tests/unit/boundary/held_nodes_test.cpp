@@ -38,6 +38,15 @@ template <int Dim, class Boundary> struct scene {
         for (std::size_t k = 0; k < lattice.size(); ++k) nodes.template at<field::mass>(k) = 3;
         held.attend(std::vector<char>(lattice.size(), 1));
     }
+    void start(double t, double share = 1) {
+        held.start_values(t);
+        held.start(nodes, true, inverse_dt, share);
+    }
+    template <bool HoldsVelocity> void forces(double t) {
+        held.end_values(t);
+        held.template forces<HoldsVelocity>(nodes, inverse_dt);
+        held.check_values();
+    }
     template <class F> void put(F, std::size_t at, const place<Dim>& a) {
         for (int d = 0; d < Dim; ++d) nodes.template at<F>(at, d) = a[d];
     }
@@ -56,8 +65,8 @@ template <class... Boundary> std::string refusal(double end, const Boundary&... 
     return complaint([&] {
         scene<2, conditions<Boundary...>> s{conditions{each...}};
         for (double t = 0; t < end; t += 1 / inverse_dt) {
-            s.held.start(s.nodes, t, true, inverse_dt, 1.);
-            s.held.template forces<false>(s.nodes, t + 1 / inverse_dt, inverse_dt);
+            s.start(t);
+            s.template forces<false>(t + 1 / inverse_dt);
         }
     });
 }
@@ -72,7 +81,7 @@ TEST_CASE("held_nodes: momentum and force take the values of their times; reacti
     const place<2> p(0.5, -4), f(7, 11);
     s.put(symbols::mv, at, p);
     s.put(symbols::mv, other, p);
-    s.held.start(s.nodes, 0.25, true, inverse_dt, 1.);
+    s.start(0.25);
     const place<2> start = 3 * place<2>(1.25, 1.5), end = 3 * place<2>(1.3, 1.4);
     CHECK((s.get(symbols::mv, at) - start).norm() < 1e-15);
     CHECK(s.get(symbols::mv, other) == p);
@@ -82,7 +91,7 @@ TEST_CASE("held_nodes: momentum and force take the values of their times; reacti
 
     s.put(symbols::f, at, f);
     s.put(symbols::f, other, f);
-    s.held.forces<false>(s.nodes, 0.3, inverse_dt);
+    s.forces<false>(0.3);
     CHECK((s.get(symbols::mv, at) + s.get(symbols::f, at) / inverse_dt - end).norm() < 1e-15);
     CHECK(s.get(symbols::f, other) == f);
     const place<2> reaction = (start - p) * inverse_dt + (end - start) * inverse_dt - f;
@@ -99,7 +108,7 @@ TEST_CASE("held_nodes: only the share that particles feel counts as a reaction")
     const std::size_t at = s.lattice.node_place(corner_index);
     for (const double share : {0., 0.25}) {
         s.put(symbols::mv, at, place<2>(1, 1));
-        s.held.start(s.nodes, 0., true, inverse_dt, share);
+        s.start(0., share);
         CHECK((s.held.reactions()[0].reaction - share * place<2>(2, 5) * inverse_dt).norm() < 1e-14);
     }
 }
@@ -107,10 +116,10 @@ TEST_CASE("held_nodes: only the share that particles feel counts as a reaction")
 TEST_CASE("held_nodes: the column may hold velocities when forces are made") {
     scene<2, prescribed<decltype(corner), decltype(value(1, 2))>> s{{corner, value(1, 2)}};
     const std::size_t at = s.lattice.node_place(corner_index);
-    s.held.start(s.nodes, 0., true, inverse_dt, 0.);
+    s.start(0., 0.);
     s.put(symbols::v, at, place<2>(1, 2));
     s.put(symbols::f, at, place<2>(7, 11));
-    s.held.forces<true>(s.nodes, 0.05, inverse_dt);
+    s.forces<true>(0.05);
     const place<2> after = place<2>(1, 2) + s.get(symbols::f, at) / inverse_dt / 3;
     CHECK((after - place<2>(1.05, 1.9)).norm() < 1e-15);
 }
@@ -120,12 +129,12 @@ TEST_CASE("held_nodes: directions across the normal are free") {
     scene<2, slip<decltype(corner), place<2>>> s{{corner, n}};
     const std::size_t at = s.lattice.node_place(corner_index);
     s.put(symbols::mv, at, place<2>(5, 6));
-    s.held.start(s.nodes, 0., true, inverse_dt, 1.);
+    s.start(0.);
     const place<2> p = s.get(symbols::mv, at);
     CHECK(std::abs(p.dot(n)) < 4e-15);
     CHECK(std::abs(p.dot(t) - place<2>(5, 6).dot(t)) < 4e-15);
     s.put(symbols::f, at, place<2>(7, 8));
-    s.held.forces<false>(s.nodes, 0.05, inverse_dt);
+    s.forces<false>(0.05);
     CHECK(std::abs(s.get(symbols::f, at).dot(n)) < 4e-14);
     CHECK(std::abs(s.get(symbols::f, at).dot(t) - place<2>(7, 8).dot(t)) < 4e-14);
 }
@@ -134,7 +143,7 @@ TEST_CASE("held_nodes: held components of an increment go, from it and from its 
     const place<2> n(0.6, 0.8);
     scene<2, slip<decltype(corner), place<2>>> s{{corner, n}};
     const std::size_t at = s.lattice.node_place(corner_index);
-    s.held.start(s.nodes, 0., true, inverse_dt, 1.);
+    s.start(0.);
     const place<2> before = s.held.reactions()[0].reaction;
     for (const bool counts : {false, true}) {
         s.put(symbols::dv, at, place<2>(1, 1));
@@ -152,7 +161,7 @@ TEST_CASE("held_nodes: several conditions at a node, with inclined normals, are 
     const conditions inclined{prescribed{corner, value(1, 2), n}, prescribed{corner, value(5, -3), k}};
     scene<2, std::remove_const_t<decltype(inclined)>> s{inclined};
     const std::size_t at = s.lattice.node_place(corner_index);
-    s.held.start(s.nodes, 0.5, true, inverse_dt, 1.);
+    s.start(0.5);
     const place<2> u = s.get(symbols::mv, at) / 3;
     CHECK(std::abs(u.dot(n) - place<2>(1.5, 1).dot(n)) < 1e-15);
     CHECK(std::abs(u.dot(k) - place<2>(5.5, -4).dot(k)) < 1e-15);
@@ -163,7 +172,7 @@ TEST_CASE("held_nodes: several conditions at a node, with inclined normals, are 
                            prescribed{corner, give(3), c}};
     scene<3, std::remove_const_t<decltype(three)>> solid{three};
     const std::size_t there = solid.lattice.node_place(corner_index);
-    solid.held.start(solid.nodes, 0.5, true, inverse_dt, 1.);
+    solid.start(0.5);
     const place<3> w = solid.get(symbols::mv, there) / 3;
     CHECK(std::abs(w.dot(a) - give(1)(w, 0.5).dot(a)) < 1e-14);
     CHECK(std::abs(w.dot(b) - give(2)(w, 0.5).dot(b)) < 1e-14);
@@ -208,7 +217,7 @@ TEST_CASE("held_nodes: nodes that no particle reaches take no part") {
     reached[off] = 0;
     s.held.attend(reached);
     for (const std::size_t at : {off, on}) s.put(symbols::mv, at, place<1>(5.));
-    s.held.start(s.nodes, 0., true, inverse_dt, 1.);
+    s.start(0.);
     CHECK(s.get(symbols::mv, off)[0] == 5);
     CHECK(s.get(symbols::mv, on)[0] == 0);
     REQUIRE(s.held.reactions().size() == 3);
@@ -220,9 +229,9 @@ TEST_CASE("held_nodes: a node without mass is left alone, and takes no reaction"
     scene<1, fixed<decltype(everywhere)>> s{{everywhere}};
     const std::size_t at = s.lattice.node_place({1, 0, 0});
     s.nodes.at<field::mass>(at) = 1e-310;
-    s.held.start(s.nodes, 0., true, inverse_dt, 1.);
+    s.start(0.);
     s.put(symbols::f, at, place<1>(5.));
-    s.held.forces<false>(s.nodes, 0., inverse_dt);
+    s.forces<false>(0.);
     CHECK(s.get(symbols::f, at)[0] == 5);
     CHECK(s.held.reactions()[1].reaction[0] == 0);
 }

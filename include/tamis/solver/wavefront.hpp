@@ -1,0 +1,174 @@
+#pragma once
+#include <tamis/core/execution.hpp>
+#include <tamis/grid/node_range.hpp>
+#include <tamis/solver/wave_plan.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace tamis::detail {
+
+/// How many fronts an execution policy can advance at the same time; none if it does not tell how many threads it has.
+template <class Execution> inline constexpr bool knows_its_count = requires(const Execution& run) { run.count(); };
+
+/// Passes that are to be run together, slab by slab of a body, so that what one of them brings into the caches is still
+/// there for the next ones: a step of many passes over more particles than caches hold else waits for memory in each.
+/// `wave_plan` says in which order. The sums of a node are made in the order of passes that run one after the other:
+/// results are the same, bit for bit.
+class wavefront {
+  public:
+    /// Passes begin to be collected. `first_nodes`: the storage places of the first node that each slab, with all after
+    /// it, may give to; `weights`: shares of the work; `threads`: how many there are.
+    void start(std::vector<std::size_t> first_nodes, const std::vector<std::size_t>& weights, int threads) {
+        first_nodes_ = std::move(first_nodes);
+        share_out(weights, static_cast<std::size_t>(threads));
+    }
+    /// f(slab), for all slabs; where they give to the same nodes, those of a colour first.
+    void over_slabs(std::function<void(std::size_t)> f, int first_colour = stage_shape::any_colour) {
+        begin_stage({true, first_colour, false});
+        stages_.back().slab = std::move(f);
+    }
+    /// f(range) for all nodes; it looks at those of the range only.
+    void over_nodes(std::function<void(const node_range&)> f) {
+        // What others still look around for must not change.
+        if (stages_.empty() || shapes_.back().looks_around) begin_stage({});
+        stages_.back().nodes.push_back(std::move(f));
+    }
+    /// ... or at what lies around them too, no further than a particle's nodes are from each other. It changes none of
+    /// the fields that it looks at.
+    void around_nodes(std::function<void(const node_range&)> f) {
+        begin_stage({false, stage_shape::any_colour, true});
+        stages_.back().nodes.push_back(std::move(f));
+    }
+    /// f() once all has been run.
+    void at_end(std::function<void()> f) { at_end_.push_back(std::move(f)); }
+
+    bool empty() const { return stages_.empty() && at_end_.empty(); }
+    void clear() {
+        stages_.clear();
+        shapes_.clear();
+        at_end_.clear();
+    }
+    /// Runs and forgets all passes.
+    template <class Execution> void run(const Execution& run) {
+        if (!stages_.empty()) {
+            const wave_plan& plan = plan_for_stages();
+            if (plan.fronts() == 1)
+                for (const auto& t : plan.tasks_of(0)) do_task(t);
+            else
+                run_fronts(run, plan);
+        }
+        for (const auto& f : at_end_) f();
+        clear();
+    }
+
+  private:
+    struct stage {
+        std::function<void(std::size_t)> slab;
+        std::vector<std::function<void(const node_range&)>> nodes;
+    };
+    std::vector<std::size_t> first_nodes_, ends_;
+    std::vector<stage> stages_;
+    std::vector<stage_shape> shapes_;
+    std::vector<std::function<void()>> at_end_;
+    std::vector<std::unique_ptr<wave_plan>> plans_;  // steps of a run have few different ones
+
+    /// Where fronts end, each with a like share of the work and two slabs or more.
+    void share_out(const std::vector<std::size_t>& weights, std::size_t threads) {
+        const std::size_t slabs = weights.size(), fronts = std::clamp<std::size_t>(slabs / 2, 1, threads);
+        std::size_t total = 0, sum = 0, k = 0;
+        for (const std::size_t w : weights) total += w;
+        ends_.clear();
+        for (std::size_t f = 1; f < fronts; ++f) {
+            const std::size_t least = 2 * f, most = slabs - 2 * (fronts - f);
+            while (k < least || (k < most && 2 * (sum + weights[k] / 2) * fronts < 2 * total * f)) sum += weights[k++];
+            ends_.push_back(k);
+        }
+        ends_.push_back(slabs);
+    }
+    void begin_stage(const stage_shape& shape) {
+        stages_.emplace_back();
+        shapes_.push_back(shape);
+    }
+    const wave_plan& plan_for_stages() {
+        for (const auto& plan : plans_)
+            if (plan->is_for(shapes_, ends_)) return *plan;
+        if (plans_.size() == 8) plans_.erase(plans_.begin());
+        return *plans_.emplace_back(std::make_unique<wave_plan>(shapes_, ends_));
+    }
+    void do_task(const wave_plan::task& t) const {
+        const stage& of = stages_[t.stage];
+        if (!t.of_nodes) return of.slab(t.slab);
+        const std::size_t next = t.slab + 1;
+        const node_range nodes{t.slab == 0 ? 0 : first_nodes_[t.slab],
+                               next < first_nodes_.size() ? first_nodes_[next] : node_range::end};
+        for (const auto& f : of.nodes) f(nodes);
+    }
+    /// A worker advances the front of its number, and others that nobody has begun while its own ones wait: so all are
+    /// run, however many workers there are at the same time.
+    template <class Execution> void run_fronts(const Execution& run, const wave_plan& plan) {
+        const std::size_t fronts = plan.fronts();
+        std::vector<std::atomic<char>> done(plan.numbers());
+        std::vector<std::atomic<char>> begun(fronts);
+        std::atomic<bool> failed{false};
+        // True once the front is at its end.
+        const auto advance = [&](std::size_t front, std::size_t& next) {
+            const auto& tasks = plan.tasks_of(front);
+            for (; next < tasks.size(); ++next) {
+                const auto& t = tasks[next];
+                for (std::uint32_t k = t.first_wait; k < t.last_wait; ++k)
+                    if (!done[plan.waits()[k]].load(std::memory_order_acquire)) return false;
+                do_task(t);
+                done[plan.number(t)].store(1, std::memory_order_release);
+            }
+            return true;
+        };
+        struct position {
+            std::size_t front, next = 0;
+        };
+        run.for_each(fronts, [&](std::size_t worker) {
+            // Threads that are called at the same time do not begin at the same time.
+            constexpr int patience = 1000;
+            std::vector<position> own;
+            const auto begin_one = [&] {
+                for (std::size_t k = 0; k < fronts; ++k) {
+                    const std::size_t front = (worker + k) % fronts;
+                    if (begun[front].load() || begun[front].exchange(1)) continue;
+                    own.push_back({front});
+                    return true;
+                }
+                return false;
+            };
+            try {
+                for (int idle = 0; !failed.load(); ++idle) {
+                    const std::size_t before = own.size();
+                    bool moved = false;
+                    std::erase_if(own, [&](position& p) {
+                        const std::size_t was = p.next;
+                        const bool at_end = advance(p.front, p.next);
+                        moved = moved || p.next != was;
+                        return at_end;
+                    });
+                    if (moved || own.size() != before) idle = 0;
+                    if (own.empty() || idle > patience) {
+                        if (begin_one())
+                            idle = 0;
+                        else if (own.empty())
+                            return;
+                    }
+                    if (idle > 0) std::this_thread::yield();
+                }
+            } catch (...) {
+                failed = true;
+                throw;
+            }
+        });
+    }
+};
+
+}  // namespace tamis::detail

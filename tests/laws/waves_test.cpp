@@ -1,0 +1,116 @@
+// Passes of a large body are run together, slab by slab. Nothing may come of it but speed: a step is, bit for bit, what
+// it is by passes one after the other, for any number of threads.
+#include <utility>
+
+#include "laws/sameness.hpp"
+
+using namespace laws;
+
+namespace {
+
+/// Does not say how many threads it has: passes go one after the other.
+struct one_by_one {
+    template <class F> void for_each(std::size_t n, const F& f) const {
+        for (std::size_t k = 0; k < n; ++k) f(k);
+    }
+};
+
+template <int D> uniform_grid<D, double> hall() { return D == 2 ? box<D>(72, 72) : box<D>(24, 30); }
+
+/// More than a megabyte of particles that go from cell to cell between swaying walls, and what a run leaves behind.
+template <int D, class Execution, class... Policies>
+auto run(const Execution& how, bool in_waves, Policies... policies) {
+    constexpr double left = 0.4, right = D == 2 ? 14.2 : 5.2, top = D == 2 ? 15.1 : 6.1;
+    const walls<D> swaying{[=](const place<D>& at) { return at[0] < left || at[D - 1] > top; },
+                           [](const place<D>& at, double t) { return place<D>((0.02 * at * std::sin(9 * t)).eval()); }};
+    solver mpm{hall<D>(), swaying, how, policies...};
+    auto block = block_in(mpm, [=](const place<D>& at) { return at[0] < right && (at.array() > 0.1).all(); });
+    stir(block, 0.8, 0.5);
+    const std::size_t bytes = block.store().slots.size() * sizeof(block.store().slots.front());
+    CHECK(bytes > (1u << 20));
+    const int steps = 5;
+    for (int step = 0; step < steps; ++step) mpm.step(bodies(block), 1. / 64);
+    CHECK(block.store().slabs() >= 8);
+    CHECK(mpm.steps_in_waves() == (in_waves ? steps : 0));
+    std::vector<double> nodes{mpm.boundary_work(), static_cast<double>(mpm.crossings())};
+    for (const auto& node : mpm.reactions())
+        for (int d = 0; d < D; ++d) nodes.push_back(node.reaction[d]);
+    mpm.grid().each_node([&](const auto& index) {
+        for (int d = 0; d < D; ++d) nodes.push_back(mpm.on_node(symbols::v, index)[d]);
+    });
+    return std::pair(snapshot(std::as_const(block)), nodes);
+}
+template <int D, class... Policies> void agree(Policies... policies) {
+    const auto expected = run<D>(one_by_one{}, false, policies...);
+    const auto same = [&](const auto& how) {
+        const bool is = run<D>(how, true, policies...) == expected;
+        CHECK(is);
+    };
+#if defined(_OPENMP)
+    for (const int count : {1, 2, 3, 5}) {
+        CAPTURE(count);
+        same(threads{count});
+    }
+#else
+    same(serial{});
+#endif
+}
+
+}  // namespace
+
+TEST_CASE("waves: a step is that of passes one after the other, by all kinds of schemes") {
+    agree<2>(quadratic_spline{}, flip{}, usl_minus{}, gravity{place<2>(0.3, -1)});
+    agree<2>(linear{}, fmpm<4>{}, usl_plus{});
+    agree<2>(cubic_spline{}, fmpm<3>{}, usavg_plus{});
+    agree<2>(quadratic_spline{}, xpic<3>{}, usf{}, held{});
+}
+TEST_CASE("waves: ... where somebody looks at the nodes between two passes") {
+    agree<2>(linear{}, adaptive_fmpm{1e-3, 4}, usl_minus{});
+    agree<2>(quadratic_spline{}, fmpm<2>{}, boundary_method::velocity{}, kinetic_feedback{0.2, 1, 10});
+    agree<2>(linear{}, fmpm<dynamic>{3}, read_out<field::full_acceleration>{});
+}
+TEST_CASE("waves: ... in 3D") {
+    agree<3>(quadratic_spline{}, fmpm<3>{}, usl_minus{});
+    agree<3>(linear{}, flip{}, usavg_minus{});
+}
+
+TEST_CASE("waves: a body of few particles, bodies in a bundle and a periodic grid take their passes one by one") {
+    const auto steps_of = [](const auto& grid, double side, bool two) {
+        solver mpm{grid, quadratic_spline{}, flip{}};
+        const auto square = [=](const place<2>& at) { return (at.array() > 1).all() && (at.array() < 1 + side).all(); };
+        auto one = mpm.make_body(rubber(), square, per_cell{2}), other = one;
+        for (int k = 0; k < 2; ++k)
+            if (two)
+                mpm.step(bodies(one, other), 1e-3);
+            else
+                mpm.step(bodies(one), 1e-3);
+        return mpm.steps_in_waves();
+    };
+    CHECK(steps_of(hall<2>(), 16, false) == 2);
+    CHECK(steps_of(hall<2>(), 6, false) == 0);
+    CHECK(steps_of(hall<2>(), 16, true) == 0);
+    CHECK(steps_of(hall<2>().wrapped(1), 16, false) == 0);
+}
+
+TEST_CASE("waves: what a load throws comes out of the step, and the next step is whole") {
+    bool broken = false;
+    const auto pull = [&](const place<2>& at, double) {
+        if (broken && at[1] > 9) throw error("the load broke");
+        return place<2>(0.1, 0);
+    };
+    solver mpm{hall<2>(), linear{}, fmpm<4>{}, particle_force{everywhere, pull}};
+    auto block = block_in(mpm, [](const place<2>& at) { return (at.array() > 0.5).all() && (at.array() < 14).all(); });
+    mpm.step(bodies(block), 1e-3);
+    broken = true;
+    CHECK_THROWS_AS(mpm.step(bodies(block), 1e-3), error);
+    broken = false;
+    // What the broken step did to the particles stays; all that it left on the nodes is made anew.
+    auto copy = block;
+    solver fresh{hall<2>(), linear{}, fmpm<4>{}, particle_force{everywhere, pull}};
+    fresh.start_at(mpm.time());
+    mpm.step(bodies(block), 1e-3);
+    fresh.step(bodies(copy), 1e-3);
+    CHECK(mpm.steps_in_waves() == 3);
+    const bool same = snapshot(std::as_const(block)) == snapshot(std::as_const(copy));
+    CHECK(same);
+}
