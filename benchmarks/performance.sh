@@ -54,7 +54,8 @@ cores=$(getconf _NPROCESSORS_ONLN)
             roofline) cat << 'END'
 
 A 3D quadratic FLIP step in double precision moves 112 bytes of each particle in and out of the core once and in once
-more: 336 bytes. It takes some 900 multiplications and additions, most of them fused. The larger of the two, divided by
+more: 336 bytes; where passes are run together, slab by slab (docs/storage.md, Waves), 224 of them come from memory or go
+there. It takes some 900 multiplications and additions, most of them fused. The larger of the two, divided by
 the rates above, is the time below which no step of two sweeps can come; the sum is what it takes if loads do not
 overlap with arithmetic.
 END
@@ -67,17 +68,16 @@ arithmetic, loads that do not fold into it, shifts of rows, and what sixteen reg
 and 56 a node (float: half). The step by hand keeps node fields in columns and all 21 sums of a row at once; sixteen
 registers spill them, and each row touches seven pages.
 
-FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes. The block of 32^3
-cells has 29 MB of particles: where a cache of 32 MB just holds them, a FLIP step runs from it, and one with more node
-fields no longer does. Compare FMPM(k) with 16^3 and 64^3 cells.
+FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes. Its passes are run
+together, slab by slab: particles beyond the caches come from memory once a step, as in FLIP, and not for each term.
 END
             ;;
             step_2d) cat << 'END'
 
 As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more. FMPM(4) with linear
-functions assembles the mass matrix, so that a term is a pass over nodes and no sweep (docs/method.md). Beyond the caches
-FMPM(k) waits for memory: 72 bytes a node instead of 40, with the assembled matrix 112 or more, and all fields of W nodes
-lie side by side: with four lanes a line of the cache has those of two fields, and each pass moves what it does not need.
+functions assembles the mass matrix, so that a term is a pass over nodes and no sweep (docs/method.md). The step needs 72
+bytes a node instead of 40, with the assembled matrix 112 or more, and all fields of W nodes lie side by side: with four
+lanes a line of the cache has those of two fields, and each pass moves what it does not need.
 END
             ;;
             crossing) cat << 'END'
@@ -100,11 +100,11 @@ END
             ;;
             scaling) cat << 'END'
 
-A thread begins with the same part of the slabs every time, about the one whose memory it was the first to write, then
-takes what others have not begun. Slabs are independent within a colour and there are two colours a scatter; results are
-those of one thread, bit for bit. A body is cut into at most 32 slabs across its outermost axis, so a colour has at most
-16: that many threads can share a scatter, and twice as many a gather. On 64 cores a step is then bound by the scatter at
-16 threads' rate, or by memory: n cores at T ns a particle ask for 336 n/T GB/s.
+Threads share the slabs of a body, each with its own run of them, about the one whose memory it was the first to write.
+Neighbours begin side by side or meet at their ends, and wait for each other there only; results are those of one thread,
+bit for bit. A body is cut into at most 128 slabs across its outermost axis, each support - 1 cells thick or more, and a
+thread has two or more: 64 cells with quadratic splines are for 16 threads, 256 for 64. On 64 cores a step is then bound by
+memory: n cores at T ns a particle ask for 224 n/T GB/s.
 
 Nanoseconds of the clock here, medians of nine. On a virtual machine the gain falls when the host lends the second
 processor to others; nanoseconds then rise too.

@@ -62,11 +62,13 @@ class held_nodes {
             });
         }
     }
-    /// ... and its end; `check_values` is to follow, once the nodes' masses are there.
+    /// ... and its end. Where conditions may disagree `check_values` is to follow, once the nodes' masses are there.
     void end_values(double t) {
         if constexpr (any) set_values(t);
     }
-    /// Throws `error` where conditions that hold the same direction of a node do not agree about it.
+    /// Are there conditions that hold the same direction of a node?
+    bool may_disagree() const { return !repeated_.empty(); }
+    /// Throws `error` where they do not agree about it.
     void check_values() const {
         if constexpr (any)
             for (const repeated& r : repeated_) check_repeated(r, values_at_);

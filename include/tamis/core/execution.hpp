@@ -14,6 +14,7 @@
 namespace tamis {
 
 /// Runs f(0), ..., f(n - 1); no two of them touch the same data, so the order is free and results do not depend on it.
+/// With `run.count()`, its number of threads, steps of large bodies run their passes together (docs/storage.md, Waves).
 template <class E>
 concept ExecutionPolicy = requires(const E& run, void (*f)(std::size_t)) {
     run.for_each(std::size_t{}, f);

@@ -58,14 +58,25 @@ template <class real, int Components> class mail {
     }
     /// Are there letters to be delivered?
     bool waits() const { return waiting_ > 0; }
-    /// All were delivered.
+    /// All that were handed out were delivered.
     void clear() {
         waiting_ = 0;
         for (outbox& box : boxes_) {
-            box.letters.clear();
-            box.addresses.clear();
-            box.seen = 0;
+            const auto seen = static_cast<std::ptrdiff_t>(std::exchange(box.seen, 0u));
+            box.letters.erase(box.letters.begin(), box.letters.begin() + seen);
+            box.addresses.erase(box.addresses.begin(), box.addresses.begin() + seen);
         }
+    }
+    /// Are there letters that were not handed out?
+    bool has_new() const {
+        for (const outbox& box : boxes_)
+            if (box.seen < box.letters.size()) return true;
+        return false;
+    }
+    /// Tiles have other numbers now: where letters go is looked up when they are handed out.
+    void forget_tiles() {
+        for (outbox& box : boxes_)
+            for (address& to : box.addresses) to.tile = 0;
     }
 
     /// Slabs that emptied a tile tell so by the way.

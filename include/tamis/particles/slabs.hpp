@@ -34,7 +34,7 @@ class slab_order {
         if (tiles.size() > 64) {
             const int low = tiles[order_.front()].at[outermost];
             const int extent = tiles[order_.back()].at[outermost] - low + 1;
-            const int count = slabs_across(extent / thinnest);
+            const int count = slabs_across(extent / thinnest, tiles.size());
             for (int k = 1; k <= count; ++k) {
                 const int end = low + static_cast<int>(static_cast<long>(extent) * k / count);
                 std::uint32_t last = ends_.back();
@@ -58,10 +58,13 @@ class slab_order {
     std::vector<std::uint32_t> order_, ends_{0};
     std::vector<int> begins_{0};
 
-    /// How many slabs of equal thickness, where there is room for so many: at most 128, and as many in each colour as
-    /// two threads can share evenly.
-    static int slabs_across(int most) {
-        const int count = std::min(most, 128);
+    /// How many slabs of equal thickness, where there is room for so many: at most 128, or as many as have 128 tiles
+    /// each, about half a megabyte of particles, so that some slabs fit into a core's own cache; and as many in each
+    /// colour as two threads can share evenly.
+    static int slabs_across(int room, std::size_t tiles) {
+        constexpr std::size_t enough = 128, of_tiles = 128;
+        const int count =
+            static_cast<int>(std::min(static_cast<std::size_t>(room), std::max(enough, tiles / of_tiles)));
         return count >= 8 ? count / 4 * 4 : std::max(count, 1);
     }
 };

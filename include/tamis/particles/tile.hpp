@@ -118,8 +118,12 @@ template <class S, class List> class tile_store {
     /// them.
     template <class Lattice, class Left, class Execution = serial>
     std::size_t sort_mail(const Lattice& lattice, Left&& left, const Execution& run = {}) {
-        // What an earlier call left, that ran out of memory, is not mixed with what was written since.
-        const std::size_t left_over = hand_out(lattice, left, run);
+        std::size_t left_over = 0;
+        if (mail_.has_new()) {
+            // An earlier call ran out of memory.
+            left_over = hand_out(lattice, left, run);
+            written_.forget_tiles();
+        }
         deliver_all();
         emptied_ = written_.take_emptied() || emptied_;
         std::swap(mail_, written_);

@@ -59,12 +59,25 @@ template <class Solver, class... Body> struct passes {
                     [f, &field](const node_range& range) { f(field.held, field.sweeps.nodes(), range); });
     }
     /// f(held), which looks at no node.
-    template <class F> void each_condition(F f) {
+    template <class F> void each_holder(F f) {
         for (auto& field : mpm.fields_) f(field.held);
     }
     /// What was to be run together is run: somebody is about to look at its results.
     void run_waiting() {
         for (auto& field : mpm.fields_) field.sweeps.run_waiting();
+    }
+    /// f(), whose passes do not wait: between them it looks at nodes itself.
+    template <class F> auto at_once(F f) {
+        run_waiting();
+        const auto pause = [&](bool yes) {
+            for (auto& field : mpm.fields_) field.sweeps.pause_waiting(yes);
+        };
+        struct ends {
+            decltype(pause)& again;
+            ~ends() { again(false); }
+        } const end{pause};
+        pause(true);
+        return f();
     }
     template <class... F, class Kernel> void nodes(fields<F...> list, Kernel kernel) {
         for (auto& field : mpm.fields_) field.sweeps.each_node(list, kernel);
@@ -130,7 +143,7 @@ template <class Solver, class... Body> struct passes {
             find_contact();
             mpm.contact_.momentum(tables(), constant<real>(share), inverse_dt);
         }
-        each_condition([&](auto& held) { held.start_values(t); });
+        each_holder([&](auto& held) { held.start_values(t); });
         each_held_in([share, per_dt = inverse_dt](auto& held, auto& table, const node_range& range) {
             held.start(table, C::moves, per_dt, share, range);
         });
@@ -143,12 +156,16 @@ template <class Solver, class... Body> struct passes {
             });
         if constexpr (C::own_velocities)
             if (acts_on_momentum) mpm.contact_.template forces<HoldsVelocity>(tables(), dt_);
-        each_condition([&](auto& held) { held.end_values(t); });
+        each_holder([&](auto& held) { held.end_values(t); });
         each_held_in([per_dt = inverse_dt](auto& held, auto& table, const node_range& range) {
             held.template forces<HoldsVelocity>(table, per_dt, range);
         });
         if constexpr (Solver::held_type::any)
-            for (auto& field : mpm.fields_) field.sweeps.at_end([&held = field.held] { held.check_values(); });
+            for (auto& field : mpm.fields_)
+                if (field.held.may_disagree()) {
+                    run_waiting();
+                    field.held.check_values();
+                }
     }
     /// A momentum extrapolated after the update.
     void extrapolated(double t) {
@@ -354,25 +371,26 @@ template <class Solver, class... Body> struct passes {
             return no_flow{};
         else {
             using carries = typename B::law_type::carries;
-            run_waiting();
             auto& own = b.carried_nodes().table;
             if (!own)
                 own = std::make_unique<typename std::remove_reference_t<decltype(own)>::element_type>(
                     mpm.lattice_.size());
             if (own->active() != sweeps.nodes().active()) own->set_active(sweeps.nodes().active());
-            own->template set_zero<carried, carried_volume>();
-            sweeps.template scatter_onto<fields<>, fields<carried, carried_volume>>(*own, b,
-                                                                                    carried_to_nodes<carries>{});
-            using L = lane<T>;
-            for (const std::uint32_t block : own->active()) {
-                const std::size_t place = block * static_cast<std::size_t>(S::width);
-                real* const mean = own->template block<carried>(place);
-                const T c = L::load(mean) * inverse_or_zero(L::load(own->template block<carried_volume>(place)));
-                L::store(mean, c);
-                for (int d = 0; d < S::dim; ++d)
-                    L::store(own->template block<carried_flow>(place, d),
-                             c * L::load(sweeps.nodes().template block<Velocity>(place, d)));
-            }
+            at_once([&] {
+                own->template set_zero<carried, carried_volume>();
+                sweeps.template scatter_onto<fields<>, fields<carried, carried_volume>>(*own, b,
+                                                                                        carried_to_nodes<carries>{});
+                using L = lane<T>;
+                for (const std::uint32_t block : own->active()) {
+                    const std::size_t place = block * static_cast<std::size_t>(S::width);
+                    real* const mean = own->template block<carried>(place);
+                    const T c = L::load(mean) * inverse_or_zero(L::load(own->template block<carried_volume>(place)));
+                    L::store(mean, c);
+                    for (int d = 0; d < S::dim; ++d)
+                        L::store(own->template block<carried_flow>(place, d),
+                                 c * L::load(sweeps.nodes().template block<Velocity>(place, d)));
+                }
+            });
             return look_at_flow<S, typename C::shape, Velocity>{*own};
         }
     }
@@ -397,13 +415,15 @@ template <class Solver, class... Body> struct passes {
         mass.template series<To>(felt, *this);
     }
     void find_columns() {
-        auto& held = mpm.fields_[0].held;
-        auto& table = mpm.fields_[0].sweeps.nodes();
-        for (int batch = 0, n = held.batches(); batch < n; ++batch) {
-            set_zero<field::increment>();
-            held.template start_columns<field::increment>(table, batch);
-            mpm.transfer_.mass.each_term(*this, [&] { held.template add_columns<field::increment>(table, batch); });
-        }
+        at_once([&] {
+            auto& held = mpm.fields_[0].held;
+            auto& table = mpm.fields_[0].sweeps.nodes();
+            for (int batch = 0, n = held.batches(); batch < n; ++batch) {
+                set_zero<field::increment>();
+                held.template start_columns<field::increment>(table, batch);
+                mpm.transfer_.mass.each_term(*this, [&] { held.template add_columns<field::increment>(table, batch); });
+            }
+        });
     }
     /// The node tables of all velocity fields, in the order of the bodies.
     auto tables() {

@@ -198,7 +198,6 @@ template <class Grid, class... Policies> class solver {
         detail::check_step(detail::to_double(dt), time_, end);
         prepare(all);
         if constexpr (requires { transfer_.begin_step(steps_); }) transfer_.begin_step(steps_);
-        for (auto& field : fields_) field.sweeps.begin_step();
         const together run_together(*this, all);
         detail::passes<solver, Body...> now{*this, all, dt};
         const double held_start = order::explicit_euler ? previous_ : time_;
@@ -365,7 +364,8 @@ template <class Grid, class... Policies> class solver {
             mpm_.fields_[0].sweeps.wait_in(nullptr);
             if (mpm_.waiting_.empty()) return;
             mpm_.waiting_.clear();
-            mpm_.weights_change();
+            mpm_.matrix_.weights_change();
+            mpm_.image_is_zero_ = false;
         }
         together(const together&) = delete;
         together& operator=(const together&) = delete;
@@ -403,6 +403,10 @@ template <class Grid, class... Policies> class solver {
     }
     /// What does not change from step to step: which nodes are in use and, for held particles, the nodes' masses.
     template <class... Body> void prepare(std::tuple<Body&...>& all) {
+        prepare_fields(all);
+        for (auto& field : fields_) field.sweeps.begin_step();
+    }
+    template <class... Body> void prepare_fields(std::tuple<Body&...>& all) {
         const auto each = [&](auto&& f) { detail::each_of(all, f); };
         std::array<std::uint64_t, 2 * sizeof...(Body)> now;
         std::size_t k = 0;
@@ -433,6 +437,7 @@ template <class Grid, class... Policies> class solver {
             fields_[f].attend(tiles, lattice_);
         }
         if constexpr (!C::moves) {
+            for (auto& field : fields_) field.sweeps.begin_step();
             std::size_t body = 0;
             each([&](auto& b) {
                 field_of(body++).sweeps.template scatter<fields<const field::mass>, fields<field::mass>>(

@@ -262,7 +262,15 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     /// Sums are made in the same order in every step from here on.
     void begin_step() { first_colour_ = 0; }
     /// Passes wait, to be run together, from now on until `run_waiting`. For one body, and nodes that no axis wraps.
-    void wait_in(wavefront* waiting) { waiting_ = waiting; }
+    void wait_in(wavefront* waiting) {
+        waiting_ = waiting;
+        paused_ = nullptr;
+    }
+    /// Passes do not wait for a while, then do so again.
+    void pause_waiting(bool yes) {
+        if ((waiting_ == nullptr) == (paused_ == nullptr)) return;
+        if (yes == (waiting_ != nullptr)) std::swap(waiting_, paused_);
+    }
     void run_waiting() {
         if constexpr (may_wait)
             if (waiting_ != nullptr) waiting_->run(run_);
@@ -277,6 +285,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     std::vector<char, aligned_allocator<char>> scratch_;  // of gather_and_scatter, kept from step to step
     std::vector<T> parts_;                                // of sums over nodes
     int first_colour_ = 0;
+    wavefront* paused_ = nullptr;
     wavefront* waiting_ = nullptr;  // passes that are to be run together, if any
 
     /// f(first, last) for the active blocks, from the first-th to the one before the last-th, in parts.

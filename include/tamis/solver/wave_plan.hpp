@@ -69,18 +69,18 @@ class wave_plan {
             for (std::size_t k = low; k <= high && k < slabs_; ++k)
                 if (k != slab || s != stage || nodes != of_nodes) f(number(s, k, nodes));
         };
-        const std::size_t before = slab == 0 ? 0 : slab - 1;
+        const auto back = [&](std::size_t by) { return slab < by ? 0 : slab - by; };
         const stage_shape& now = stages_[stage];
-        if (of_nodes && now.has_slabs) return also(stage, before, slab, false);
-        if (!of_nodes && is_of_second_colour(now, slab)) also(stage, before, slab + 1, false);
+        if (of_nodes && now.has_slabs) return also(stage, back(1), slab, false);
+        if (!of_nodes && is_of_second_colour(now, slab)) also(stage, back(1), slab + 1, false);
         if (stage == 0) return;
+        // Around nodes, at the ends of rows, is also what lies beside in storage: nodes one row further than a
+        // particle reaches. Nobody changes what others still look at.
+        const bool around = now.looks_around || stages_[stage - 1].looks_around;
         if (of_nodes)
-            also(stage - 1, before, slab + 1, true);
-        else if (stages_[stage - 1].looks_around)
-            // Nobody changes what others still look at.
-            also(stage - 1, before, slab + 2, true);
+            also(stage - 1, back(around ? 2 : 1), slab + (around ? 2 : 1), true);
         else
-            also(stage - 1, slab, slab + 1, true);
+            also(stage - 1, back(around ? 2 : 0), slab + (around ? 3 : 1), true);
     }
     static bool is_of_second_colour(const stage_shape& stage, std::size_t slab) {
         return stage.first_colour != stage_shape::any_colour && (static_cast<int>(slab) + stage.first_colour) % 2 != 0;

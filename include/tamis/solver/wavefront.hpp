@@ -3,6 +3,7 @@
 #include <tamis/grid/node_range.hpp>
 #include <tamis/solver/wave_plan.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -26,7 +27,7 @@ class wavefront {
     /// it, may give to; `weights`: shares of the work; `threads`: how many there are.
     void start(std::vector<std::size_t> first_nodes, const std::vector<std::size_t>& weights, int threads) {
         first_nodes_ = std::move(first_nodes);
-        share_out(weights, static_cast<std::size_t>(threads));
+        share_out(weights, static_cast<std::size_t>(std::max(threads, 1)));
     }
     /// f(slab), for all slabs; where they give to the same nodes, those of a colour first.
     void over_slabs(std::function<void(std::size_t)> f, int first_colour = stage_shape::any_colour) {
@@ -39,8 +40,7 @@ class wavefront {
         if (stages_.empty() || shapes_.back().looks_around) begin_stage({});
         stages_.back().nodes.push_back(std::move(f));
     }
-    /// ... or at what lies around them too, no further than a particle's nodes are from each other. It changes none of
-    /// the fields that it looks at.
+    /// ... or at what lies around them too, no further than two slabs. It changes none of the fields that it looks at.
     void around_nodes(std::function<void(const node_range&)> f) {
         begin_stage({false, stage_shape::any_colour, true});
         stages_.back().nodes.push_back(std::move(f));

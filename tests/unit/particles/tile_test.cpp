@@ -9,6 +9,7 @@
 #include <new>
 #include <random>
 #include <set>
+#include <utility>
 
 #include "catch.hpp"
 
@@ -310,6 +311,44 @@ TEST_CASE("tile_store: letters of particles that are removed are not kept") {
     };
     for (std::size_t k = 0; k < 20; ++k) leave(k);
     CHECK(w.store.size() == 80);
+}
+
+TEST_CASE("tile_store: letters that were not handed out, for memory ran out, are handed out later") {
+    for (const int fails_at : {0, 1, 2}) {
+        CAPTURE(fails_at);
+        world<2, native_lanes::type<double>> w({{0., 0.}, {60., 40.}, 1.});
+        for (int k = 0; k < 400; ++k) w.add(w.any_cell());
+        w.store.arrange<2>();
+        // Every other one leaves the grid.
+        int posted = 0;
+        const auto post_first_of = [&](std::size_t index) {
+            const detail::tile& t = w.store.tiles[index];
+            bool done = false;
+            w.each_particle_of(t, [&](std::uint32_t s, int l, const cell_index& from) {
+                if (std::exchange(done, true)) return;
+                const bool leaves = posted++ % 2 == 1;
+                const cell_index to = leaves ? cell_index{w.outside, 0, 0} : w.any_cell();
+                if (leaves)
+                    w.model.erase(w.mass(s, l));
+                else
+                    w.model[w.mass(s, l)].cell = to;
+                w.store.post(w.lattice, 0, t, s, l, from, to);
+            });
+            REQUIRE(done);
+        };
+        for (std::size_t k = 0; k < 8; ++k) post_first_of(k);
+        int seen = 0;
+        const auto fail = [&](auto&) {
+            if (seen++ == fails_at) throw std::bad_alloc();
+            return false;
+        };
+        CHECK_THROWS_AS(w.store.sort_mail(w.lattice, fail), std::bad_alloc);
+        w.store.deliver_all();
+        for (std::size_t k = 10; k < 16; ++k) post_first_of(k);
+        w.store.sort_mail(w.lattice, [](auto&) { return false; });
+        w.store.deliver_all();
+        w.check_same_as_model();
+    }
 }
 
 TEST_CASE("tile_store: letters wait while tiles and slabs come and go") {

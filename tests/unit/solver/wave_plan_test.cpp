@@ -41,7 +41,11 @@ struct scene {
     }
     void of_nodes(std::size_t s, std::size_t k) {
         std::uint64_t seen = mixed(sums[k], s);
-        if (stages[s].looks_around) seen = mixed(seen, mixed(k == 0 ? 0 : sums[k - 1], sums[k + 1]));
+        if (stages[s].looks_around)
+            for (const std::size_t back : {1, 2}) {
+                seen = mixed(seen, k < back ? 0 : sums[k - back]);
+                seen = mixed(seen, k + back > slabs ? 0 : sums[k + back]);
+            }
         nodes[k] = mixed(nodes[k], seen);
         if (!stages[s].looks_around) sums[k] = seen;
         // The nodes that only the last slab's particles reach go with its own.
