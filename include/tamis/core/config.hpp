@@ -19,10 +19,13 @@
 #define TAMIS_INLINE inline
 #define TAMIS_INLINE_LAMBDA
 #endif
+// What is called seldom is compiled quickly, and small.
 #if defined(__GNUC__)
 #define TAMIS_NOINLINE __attribute__((noinline))
+#define TAMIS_SELDOM __attribute__((noinline, cold))
 #else
 #define TAMIS_NOINLINE
+#define TAMIS_SELDOM
 #endif
 // A tile loop takes in all the kernels it calls.
 #if defined(__GNUC__) && defined(__OPTIMIZE__)

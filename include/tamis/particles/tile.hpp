@@ -216,7 +216,7 @@ template <class S, class List> class tile_store {
     /// The tiles of slab k, in the order of their nodes.
     std::span<const std::uint32_t> row(std::size_t k) const { return slabs_.tiles_of(k); }
     /// Storage places of the first nodes that each slab, with all after it, may reach.
-    template <class Lattice> std::vector<std::size_t> first_nodes(const Lattice& lattice) const {
+    template <class Lattice> TAMIS_SELDOM std::vector<std::size_t> first_nodes(const Lattice& lattice) const {
         std::vector<std::size_t> all;
         for (std::size_t k = 0; k < slabs(); ++k) {
             std::array<int, 3> cell{0, 0, 0};

@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/any_call.hpp>
 #include <tamis/grid/node_table.hpp>
 #include <tamis/particles/body.hpp>
 #include <tamis/particles/leavers.hpp>
@@ -61,13 +62,16 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     /// f(range) for all nodes at once, or range by range where passes are run together.
     template <class F> void over_nodes(F f) {
         if constexpr (may_wait)
-            if (waiting_ != nullptr) return waiting_->over_nodes(std::move(f));
+            if (waiting_ != nullptr)
+                return waiting_->over_nodes(any_pass([f](std::size_t first, std::size_t last) {
+                    f(node_range{first, last});
+                }));
         f(node_range{});
     }
     /// f() once all passes that wait have been run.
     template <class F> void at_end(F f) {
         if constexpr (may_wait)
-            if (waiting_ != nullptr) return waiting_->at_end(std::move(f));
+            if (waiting_ != nullptr) return waiting_->at_end(any_pass([f](std::size_t, std::size_t) { f(); }));
         f();
     }
 
@@ -150,10 +154,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             multiply_blocks<S, N, From>(nodes_.columns(), nodes_.active().data() + begin, end - begin, steps, use);
         };
         if constexpr (may_wait)
-            if (waiting_ != nullptr)
-                return waiting_->around_nodes(
-                    [this, multiply](const node_range& range) { in_blocks(serial{}, range, chunk, multiply); });
-        in_blocks(run_, {}, chunk, multiply);
+            if (waiting_ != nullptr) return waiting_->around_nodes(any_pass(waiting_pass(chunk, multiply)));
+        in_blocks(run_, {}, chunk, call_ref<std::size_t, std::size_t>::to(multiply));
     }
 
     /// As `scatter` with made = kernel.make(slot, gathered), gathered: S F for all node fields F of `Read`, and the
@@ -288,13 +290,24 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     wavefront* paused_ = nullptr;
     wavefront* waiting_ = nullptr;  // passes that are to be run together, if any
 
+    using any_pass = wavefront::pass_type;
+    /// A pass over active blocks that waits.
+    struct block_pass {
+        sweeps* of;
+        std::size_t part;
+        any_pass f;
+        void operator()(std::size_t first, std::size_t last) const {
+            of->in_blocks(serial{}, {first, last}, part, f.ref());
+        }
+    };
+    template <class F> block_pass waiting_pass(std::size_t part, F f) { return {this, part, any_pass(std::move(f))}; }
     /// f(first, last) for the active blocks, from the first-th to the one before the last-th, in parts.
     template <class F> void over_blocks(std::size_t part, F f) {
-        if constexpr (may_wait)
-            if (waiting_ != nullptr)
-                return waiting_->over_nodes(
-                    [this, part, f](const node_range& range) { in_blocks(serial{}, range, part, f); });
-        in_blocks(run_, {}, part, f);
+        if constexpr (may_wait) {
+            if (waiting_ != nullptr) return waiting_->over_nodes(any_pass(waiting_pass(part, std::move(f))));
+            in_blocks(run_, {}, part, call_ref<std::size_t, std::size_t>::to(f));
+        } else
+            in_blocks(run_, {}, part, f);
     }
     template <class Runs, class F>
     void in_blocks(const Runs& run, const node_range& range, std::size_t part, const F& f) {
@@ -309,24 +322,33 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
     /// f(slab), in any order.
     template <class Store, class F> void over_slabs(Store& store, F f) {
-        if constexpr (may_wait)
-            if (waiting_ != nullptr) return waiting_->over_slabs(std::move(f));
-        run_.for_each(store.slabs(), f);
+        if constexpr (may_wait) {
+            const auto pass = [f](std::size_t k, std::size_t) { f(k); };
+            if (waiting_ != nullptr) return waiting_->over_slabs(any_pass(pass));
+            const auto all = call_ref<std::size_t, std::size_t>::to(pass);
+            run_all(store.slabs(), [&](std::size_t k) { all(k, 0); });
+        } else
+            run_all(store.slabs(), f);
     }
     /// Slabs k and k + 2 share no node: those of one colour first, then the others, whatever the number of threads.
     /// Passes that follow one another begin with the one and the other colour, so that little lies between them where
     /// they are run together.
     template <class Store, class F> void each_tile_by_colour(Store& store, F f) {
-        const auto slab = [&store, f](std::size_t k) {
+        const auto slab = [&store, f](std::size_t k, std::size_t) {
             store.each_tile_and_next(k, [&](std::size_t j, const auto* next) { f(store.tiles[j], next); });
         };
         const int first = first_colour_;
         first_colour_ = 1 - first_colour_;
-        if constexpr (may_wait)
-            if (waiting_ != nullptr) return waiting_->over_slabs(slab, first);
-        const std::size_t slabs = store.slabs();
+        if constexpr (may_wait) {
+            if (waiting_ != nullptr) return waiting_->over_slabs(any_pass(slab), first);
+            run_by_colour(store.slabs(), call_ref<std::size_t, std::size_t>::to(slab), first);
+        } else
+            run_by_colour(store.slabs(), slab, first);
+    }
+    template <class F> void run_all(std::size_t slabs, const F& f) { run_.for_each(slabs, f); }
+    template <class F> void run_by_colour(std::size_t slabs, const F& f, int first) {
         for (const auto colour : {static_cast<std::size_t>(first), static_cast<std::size_t>(1 - first)})
-            if (colour < slabs) run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) { slab(2 * k + colour); });
+            if (colour < slabs) run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) { f(2 * k + colour, 0); });
     }
 
     template <class Shown, class Kernel>

@@ -1,8 +1,9 @@
 #pragma once
-#include <algorithm>
+#include <tamis/core/config.hpp>
+
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace tamis::detail {
@@ -30,24 +31,26 @@ struct stage_shape {
 class wave_plan {
   public:
     struct task {
-        std::uint32_t stage, slab;
+        std::uint32_t front, stage, slab;
         bool of_nodes;
         std::uint32_t first_wait, last_wait;  // in waits()
     };
 
     wave_plan() = default;
     /// `ends`: behind the last slab of each front.
-    wave_plan(std::vector<stage_shape> stages, std::vector<std::size_t> ends)
-        : stages_(std::move(stages)), ends_(std::move(ends)), fronts_(ends_.size()), slabs_(ends_.back()) {
+    TAMIS_SELDOM wave_plan(const std::vector<stage_shape>& stages, const std::vector<std::size_t>& ends)
+        : stages_(stages), ends_(ends), slabs_(ends.back()) {
         make();
     }
 
     bool is_for(const std::vector<stage_shape>& stages, const std::vector<std::size_t>& ends) const {
         return stages == stages_ && ends == ends_;
     }
-    std::size_t fronts() const { return fronts_.size(); }
+    std::size_t fronts() const { return ends_.size(); }
     /// The tasks of a front, in its order.
-    const std::vector<task>& tasks_of(std::size_t front) const { return fronts_[front]; }
+    std::span<const task> tasks_of(std::size_t front) const {
+        return {tasks_.data() + first_task_[front], first_task_[front + 1] - first_task_[front]};
+    }
     /// Numbers of tasks of other fronts that must be done before.
     const std::vector<std::uint32_t>& waits() const { return waits_; }
     std::uint32_t number(const task& t) const { return number(t.stage, t.slab, t.of_nodes); }
@@ -55,25 +58,33 @@ class wave_plan {
 
   private:
     std::vector<stage_shape> stages_;
-    std::vector<std::size_t> ends_;
-    std::vector<std::vector<task>> fronts_;
+    std::vector<std::size_t> ends_, first_task_;
+    std::vector<task> tasks_;
     std::vector<std::uint32_t> waits_;
     std::size_t slabs_ = 0;
 
     std::uint32_t number(std::size_t stage, std::size_t slab, bool of_nodes) const {
         return static_cast<std::uint32_t>((2 * stage + (of_nodes ? 1 : 0)) * slabs_ + slab);
     }
-    /// f(number) for all tasks that must be done before one.
-    template <class F> void each_before(std::size_t stage, std::size_t slab, bool of_nodes, const F& f) const {
+    /// The numbers of the tasks that must be done before one.
+    struct tasks_before {
+        std::uint32_t numbers[12];
+        int count = 0;
+    };
+    TAMIS_SELDOM tasks_before before(std::size_t stage, std::size_t slab, bool of_nodes) const {
+        tasks_before all;
         const auto also = [&](std::size_t s, std::size_t low, std::size_t high, bool nodes) {
             for (std::size_t k = low; k <= high && k < slabs_; ++k)
-                if (k != slab || s != stage || nodes != of_nodes) f(number(s, k, nodes));
+                if (k != slab || s != stage || nodes != of_nodes) all.numbers[all.count++] = number(s, k, nodes);
         };
         const auto back = [&](std::size_t by) { return slab < by ? 0 : slab - by; };
         const stage_shape& now = stages_[stage];
-        if (of_nodes && now.has_slabs) return also(stage, back(1), slab, false);
+        if (of_nodes && now.has_slabs) {
+            also(stage, back(1), slab, false);
+            return all;
+        }
         if (!of_nodes && is_of_second_colour(now, slab)) also(stage, back(1), slab + 1, false);
-        if (stage == 0) return;
+        if (stage == 0) return all;
         // Around nodes, at the ends of rows, is also what lies beside in storage: nodes one row further than a
         // particle reaches. Nobody changes what others still look at.
         const bool around = now.looks_around || stages_[stage - 1].looks_around;
@@ -81,67 +92,64 @@ class wave_plan {
             also(stage - 1, back(around ? 2 : 1), slab + (around ? 2 : 1), true);
         else
             also(stage - 1, back(around ? 2 : 0), slab + (around ? 3 : 1), true);
+        return all;
     }
     static bool is_of_second_colour(const stage_shape& stage, std::size_t slab) {
         return stage.first_colour != stage_shape::any_colour && (static_cast<int>(slab) + stage.first_colour) % 2 != 0;
     }
 
-    /// The tasks of one stage of a front, in their order.
-    struct progress {
-        std::vector<std::size_t> slabs, nodes;
-        std::size_t next_slab = 0, next_node = 0;
-    };
-    progress stage_of_front(const stage_shape& stage, std::size_t begin, std::size_t end, bool downwards) const {
-        progress p;
-        for (std::size_t k = begin; k < end; ++k) p.nodes.push_back(k);
-        if (downwards) std::reverse(p.nodes.begin(), p.nodes.end());
-        if (!stage.has_slabs) return p;
-        p.slabs = p.nodes;
-        for (std::size_t k = 0; k + 1 < p.slabs.size(); ++k)
-            if (is_of_second_colour(stage, p.slabs[k])) {
-                std::swap(p.slabs[k], p.slabs[k + 1]);
-                ++k;
-            }
-        return p;
+    std::size_t begin_of(std::size_t front) const { return front == 0 ? 0 : ends_[front - 1]; }
+    std::size_t size_of(std::size_t front) const { return ends_[front] - begin_of(front); }
+    /// The n-th slab of a front: odd ones go downwards.
+    std::size_t nth(std::size_t front, std::size_t n) const {
+        return front % 2 == 1 ? ends_[front] - 1 - n : begin_of(front) + n;
     }
-    void make() {
-        std::vector<std::vector<progress>> all(fronts());
-        std::vector<std::size_t> front_of(slabs_);
-        std::size_t begin = 0, left = 0;
-        for (std::size_t f = 0; f < fronts(); ++f) {
-            for (const stage_shape& stage : stages_) {
-                all[f].push_back(stage_of_front(stage, begin, ends_[f], f % 2 == 1));
-                left += all[f].back().slabs.size() + all[f].back().nodes.size();
-            }
-            for (; begin < ends_[f]; ++begin) front_of[begin] = f;
-        }
-        std::vector<char> done(numbers(), 0);
-        const auto take = [&](std::size_t f, std::size_t stage, const std::vector<std::size_t>& order,
-                              std::size_t& next, bool of_nodes) {
-            if (next == order.size()) return false;
-            const std::size_t slab = order[next];
-            bool ready = true;
-            each_before(stage, slab, of_nodes, [&](std::uint32_t k) { ready = ready && done[k]; });
-            if (!ready) return false;
+    /// ... of a pass over slabs: those of the second colour come one later than they lie.
+    std::size_t nth_of_pass(const stage_shape& stage, std::size_t front, std::size_t n) const {
+        if (stage.first_colour == stage_shape::any_colour) return nth(front, n);
+        const std::size_t first = is_of_second_colour(stage, nth(front, 0)) ? 0 : 1;
+        if (n < first) return nth(front, n);
+        const std::size_t other = (n - first) % 2 == 0 ? n + 1 : n - 1;
+        return nth(front, other < size_of(front) ? other : n);
+    }
+    TAMIS_SELDOM void make() {
+        const std::size_t count = stages_.size();
+        std::vector<std::uint32_t> next(2 * count * fronts(), 0);  // of each stage of each front: a slab's task, nodes'
+        std::vector<std::uint32_t> front_of(slabs_), done(numbers(), 0);
+        std::size_t left = 0;
+        for (std::size_t f = 0; f < fronts(); ++f)
+            for (std::size_t k = begin_of(f); k < ends_[f]; ++k) front_of[k] = static_cast<std::uint32_t>(f);
+        for (const stage_shape& stage : stages_) left += (stage.has_slabs ? 2 : 1) * slabs_;
+        std::vector<task> all;
+        all.reserve(left);
+        const auto take = [&](std::size_t f, std::size_t s, bool of_nodes) {
+            std::uint32_t& n = next[2 * (f * count + s) + (of_nodes ? 1 : 0)];
+            if (n == size_of(f) || (!of_nodes && !stages_[s].has_slabs)) return false;
+            const std::size_t slab = of_nodes ? nth(f, n) : nth_of_pass(stages_[s], f, n);
+            const tasks_before needed = before(s, slab, of_nodes);
+            for (int k = 0; k < needed.count; ++k)
+                if (!done[needed.numbers[k]]) return false;
             const auto first_wait = static_cast<std::uint32_t>(waits_.size());
-            each_before(stage, slab, of_nodes, [&](std::uint32_t k) {
-                if (front_of[k % slabs_] != f) waits_.push_back(k);
-            });
-            fronts_[f].push_back({static_cast<std::uint32_t>(stage), static_cast<std::uint32_t>(slab), of_nodes,
-                                  first_wait, static_cast<std::uint32_t>(waits_.size())});
-            done[number(stage, slab, of_nodes)] = 1;
-            ++next;
-            --left;
+            for (int k = 0; k < needed.count; ++k)
+                if (front_of[needed.numbers[k] % slabs_] != f) waits_.push_back(needed.numbers[k]);
+            all.push_back({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(s),
+                           static_cast<std::uint32_t>(slab), of_nodes, first_wait,
+                           static_cast<std::uint32_t>(waits_.size())});
+            done[number(s, slab, of_nodes)] = 1;
+            ++n;
             return true;
         };
-        const auto advance = [&](std::size_t f) {
-            for (std::size_t s = stages_.size(); s-- > 0;) {
-                progress& p = all[f][s];
-                if (take(f, s, p.nodes, p.next_node, true) || take(f, s, p.slabs, p.next_slab, false)) return;
-            }
-        };
-        while (left > 0)
-            for (std::size_t f = 0; f < fronts(); ++f) advance(f);
+        while (all.size() < left)
+            for (std::size_t f = 0; f < fronts(); ++f)
+                for (std::size_t s = count; s-- > 0;)
+                    if (take(f, s, true) || take(f, s, false)) break;
+        tasks_.reserve(left);
+        for (std::size_t f = 0; f < fronts(); ++f) {
+            first_task_.push_back(tasks_.size());
+            for (const task& t : all)
+                if (t.front == f) tasks_.push_back(t);
+        }
+        first_task_.push_back(tasks_.size());
     }
 };
 

@@ -1,13 +1,14 @@
 #pragma once
+#include <tamis/core/any_call.hpp>
+#include <tamis/core/config.hpp>
 #include <tamis/core/execution.hpp>
 #include <tamis/grid/node_range.hpp>
 #include <tamis/solver/wave_plan.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <concepts>
 #include <cstddef>
-#include <functional>
-#include <memory>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -25,61 +26,65 @@ class wavefront {
   public:
     /// Passes begin to be collected. `first_nodes`: the storage places of the first node that each slab, with all after
     /// it, may give to; `weights`: shares of the work; `threads`: how many there are.
-    void start(std::vector<std::size_t> first_nodes, const std::vector<std::size_t>& weights, int threads) {
+    TAMIS_SELDOM void start(std::vector<std::size_t> first_nodes, const std::vector<std::size_t>& weights,
+                            int threads) {
         first_nodes_ = std::move(first_nodes);
         share_out(weights, static_cast<std::size_t>(std::max(threads, 1)));
     }
-    /// f(slab), for all slabs; where they give to the same nodes, those of a colour first.
-    void over_slabs(std::function<void(std::size_t)> f, int first_colour = stage_shape::any_colour) {
-        begin_stage({true, first_colour, false});
-        stages_.back().slab = std::move(f);
+    using pass_type = any_call<std::size_t, std::size_t>;
+    /// f(slab, 0), for all slabs; where they give to the same nodes, those of a colour first.
+    TAMIS_SELDOM void over_slabs(pass_type f, int first_colour = stage_shape::any_colour) {
+        shapes_.push_back({true, first_colour, false});
+        passes_.push_back({std::move(f), shapes_.size() - 1, false});
     }
-    /// f(range) for all nodes; it looks at those of the range only.
-    void over_nodes(std::function<void(const node_range&)> f) {
+    /// f(first, last) for all nodes, by their places from the first on, before the last; it looks at those only.
+    TAMIS_SELDOM void over_nodes(pass_type f) {
         // What others still look around for must not change.
-        if (stages_.empty() || shapes_.back().looks_around) begin_stage({});
-        stages_.back().nodes.push_back(std::move(f));
+        if (shapes_.empty() || shapes_.back().looks_around) shapes_.emplace_back();
+        passes_.push_back({std::move(f), shapes_.size() - 1, true});
     }
     /// ... or at what lies around them too, no further than two slabs. It changes none of the fields that it looks at.
-    void around_nodes(std::function<void(const node_range&)> f) {
-        begin_stage({false, stage_shape::any_colour, true});
-        stages_.back().nodes.push_back(std::move(f));
+    TAMIS_SELDOM void around_nodes(pass_type f) {
+        shapes_.push_back({false, stage_shape::any_colour, true});
+        passes_.push_back({std::move(f), shapes_.size() - 1, true});
     }
-    /// f() once all has been run.
-    void at_end(std::function<void()> f) { at_end_.push_back(std::move(f)); }
+    /// f(0, 0) once all has been run.
+    TAMIS_SELDOM void at_end(pass_type f) { passes_.push_back({std::move(f), end_of_all, true}); }
 
-    bool empty() const { return stages_.empty() && at_end_.empty(); }
-    void clear() {
-        stages_.clear();
+    bool empty() const { return passes_.empty(); }
+    TAMIS_SELDOM void clear() {
+        passes_.clear();
         shapes_.clear();
-        at_end_.clear();
     }
     /// Runs and forgets all passes.
     template <class Execution> void run(const Execution& run) {
-        if (!stages_.empty()) {
+        if (!shapes_.empty()) {
             const wave_plan& plan = plan_for_stages();
-            if (plan.fronts() == 1)
-                for (const auto& t : plan.tasks_of(0)) do_task(t);
+            if constexpr (std::same_as<Execution, serial>)
+                run_one_front(plan);
+            else if (plan.fronts() == 1)
+                run_one_front(plan);
             else
                 run_fronts(run, plan);
         }
-        for (const auto& f : at_end_) f();
+        run_passes(end_of_all, true, 0, 0);
         clear();
     }
 
   private:
-    struct stage {
-        std::function<void(std::size_t)> slab;
-        std::vector<std::function<void(const node_range&)>> nodes;
+    static constexpr std::size_t end_of_all = static_cast<std::size_t>(-1);
+    struct pass {
+        pass_type f;
+        std::size_t stage;
+        bool of_nodes;
     };
     std::vector<std::size_t> first_nodes_, ends_;
-    std::vector<stage> stages_;
+    std::vector<pass> passes_;
     std::vector<stage_shape> shapes_;
-    std::vector<std::function<void()>> at_end_;
-    std::vector<std::unique_ptr<wave_plan>> plans_;  // steps of a run have few different ones
+    std::vector<wave_plan> plans_;  // steps of a run have few different ones
 
     /// Where fronts end, each with a like share of the work and two slabs or more.
-    void share_out(const std::vector<std::size_t>& weights, std::size_t threads) {
+    TAMIS_SELDOM void share_out(const std::vector<std::size_t>& weights, std::size_t threads) {
         const std::size_t slabs = weights.size(), fronts = std::clamp<std::size_t>(slabs / 2, 1, threads);
         std::size_t total = 0, sum = 0, k = 0;
         for (const std::size_t w : weights) total += w;
@@ -91,23 +96,25 @@ class wavefront {
         }
         ends_.push_back(slabs);
     }
-    void begin_stage(const stage_shape& shape) {
-        stages_.emplace_back();
-        shapes_.push_back(shape);
+    TAMIS_SELDOM const wave_plan& plan_for_stages() {
+        for (const wave_plan& plan : plans_)
+            if (plan.is_for(shapes_, ends_)) return plan;
+        if (plans_.size() == 8) plans_.clear();
+        plans_.emplace_back(shapes_, ends_);
+        return plans_.back();
     }
-    const wave_plan& plan_for_stages() {
-        for (const auto& plan : plans_)
-            if (plan->is_for(shapes_, ends_)) return *plan;
-        if (plans_.size() == 8) plans_.erase(plans_.begin());
-        return *plans_.emplace_back(std::make_unique<wave_plan>(shapes_, ends_));
+    void run_passes(std::size_t stage, bool of_nodes, std::size_t a, std::size_t b) const {
+        for (const pass& p : passes_)
+            if (p.stage == stage && p.of_nodes == of_nodes) p.f(a, b);
     }
-    void do_task(const wave_plan::task& t) const {
-        const stage& of = stages_[t.stage];
-        if (!t.of_nodes) return of.slab(t.slab);
+    TAMIS_NOINLINE void do_task(const wave_plan::task& t) const {
+        if (!t.of_nodes) return run_passes(t.stage, false, t.slab, 0);
         const std::size_t next = t.slab + 1;
-        const node_range nodes{t.slab == 0 ? 0 : first_nodes_[t.slab],
-                               next < first_nodes_.size() ? first_nodes_[next] : node_range::end};
-        for (const auto& f : of.nodes) f(nodes);
+        run_passes(t.stage, true, t.slab == 0 ? 0 : first_nodes_[t.slab],
+                   next < first_nodes_.size() ? first_nodes_[next] : node_range::end);
+    }
+    void run_one_front(const wave_plan& plan) const {
+        for (const auto& t : plan.tasks_of(0)) do_task(t);
     }
     /// A worker advances the front of its number, and others that nobody has begun while its own ones wait: so all are
     /// run, however many workers there are at the same time.

@@ -12,6 +12,7 @@
 using namespace tamis;
 using detail::node_range;
 using detail::wavefront;
+using pass = wavefront::pass_type;
 
 namespace {
 
@@ -36,22 +37,22 @@ template <class Execution> std::vector<double> run(const Execution& how, int thr
     wavefront wave;
     wave.start(first_nodes(), std::vector<std::size_t>(slabs, 10), threads);
     for (int stage = 0; stage < 3; ++stage) {
-        wave.over_slabs(
-            [&, stage](std::size_t k) {
-                if (k == fails_at && stage == 1) throw std::runtime_error("of slab");
-                for (std::size_t j = 0; j < 150; ++j)
-                    sums[300 + 100 * k + j] += nodes[300 + 100 * k + j] / double(3 + stage + int(j + k) % 7);
-            },
-            stage % 2);
-        wave.over_nodes([&](const node_range& in) {
-            for (std::size_t j = in.first; j < std::min(in.last, nodes.size()); ++j) {
+        wave.over_slabs(pass([&, stage](std::size_t k, std::size_t) {
+                            if (k == fails_at && stage == 1) throw std::runtime_error("of slab");
+                            for (std::size_t j = 0; j < 150; ++j)
+                                sums[300 + 100 * k + j] +=
+                                    nodes[300 + 100 * k + j] / double(3 + stage + int(j + k) % 7);
+                        }),
+                        stage % 2);
+        wave.over_nodes(pass([&](std::size_t first, std::size_t last) {
+            for (std::size_t j = first; j < std::min(last, nodes.size()); ++j) {
                 nodes[j] = 0.3 * nodes[j] + sums[j];
                 sums[j] = 0;
             }
-        });
+        }));
     }
     int ends = 0;
-    wave.at_end([&] { ++ends; });
+    wave.at_end(pass([&](std::size_t, std::size_t) { ++ends; }));
     CHECK(!wave.empty());
     wave.run(how);
     CHECK(ends == 1);
@@ -83,7 +84,8 @@ TEST_CASE("wavefront: results are the same for any number of fronts and threads,
         wavefront wave;
         std::array<std::atomic<int>, slabs> done{};
         wave.start(first_nodes(), std::vector<std::size_t>(slabs, 1), 4);
-        for (int stage = 0; stage < 3; ++stage) wave.over_slabs([&](std::size_t k) { ++done[k]; }, stage % 2);
+        for (int stage = 0; stage < 3; ++stage)
+            wave.over_slabs(pass([&](std::size_t k, std::size_t) { ++done[k]; }), stage % 2);
         wave.run(team);
         bool all = true;
         for (const auto& n : done) all = all && n == 3;
@@ -106,8 +108,8 @@ TEST_CASE("wavefront: what a pass throws comes out, and nobody waits for what wi
 TEST_CASE("wavefront: passes are forgotten when they are cleared") {
     wavefront wave;
     wave.start(first_nodes(), std::vector<std::size_t>(slabs, 1), 1);
-    wave.over_nodes([](const node_range&) { FAIL("run"); });
-    wave.at_end([] { FAIL("run"); });
+    wave.over_nodes(pass([](std::size_t, std::size_t) { FAIL("run"); }));
+    wave.at_end(pass([](std::size_t, std::size_t) { FAIL("run"); }));
     wave.clear();
     CHECK(wave.empty());
     wave.run(serial{});
@@ -117,7 +119,7 @@ TEST_CASE("wavefront: every node is in one range") {
     std::vector<node_range> seen;
     wavefront wave;
     wave.start(first_nodes(), std::vector<std::size_t>(slabs, 1), 1);
-    wave.over_nodes([&](const node_range& in) { seen.push_back(in); });
+    wave.over_nodes(pass([&](std::size_t first, std::size_t last) { seen.push_back({first, last}); }));
     wave.run(serial{});
     REQUIRE(seen.size() == slabs);
     CHECK(seen.front().first == 0);
