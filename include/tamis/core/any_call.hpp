@@ -21,8 +21,8 @@ template <class... Arguments> class call_ref {
     void (*call_)(const void*, Arguments...);
 };
 
-/// ... kept for later. As std::move_only_function of C++23, of which it has what is needed here; std::function takes a
-/// program with one solver half a second more to compile.
+/// ... kept for later. As std::move_only_function of C++23, of which it has what is needed here; what is called by
+/// reference and what is kept share their code.
 template <class... Arguments> class any_call {
   public:
     template <class F> explicit any_call(F f)

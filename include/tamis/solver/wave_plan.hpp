@@ -34,6 +34,7 @@ class wave_plan {
         std::uint32_t front, stage, slab;
         bool of_nodes;
         std::uint32_t first_wait, last_wait;  // in waits()
+        std::uint32_t position;               // in an order of all tasks that respects all waits
     };
 
     wave_plan() = default;
@@ -51,7 +52,7 @@ class wave_plan {
     std::span<const task> tasks_of(std::size_t front) const {
         return {tasks_.data() + first_task_[front], first_task_[front + 1] - first_task_[front]};
     }
-    /// Numbers of tasks of other fronts that must be done before.
+    /// Numbers of tasks that must be done before, of the same front and others.
     const std::vector<std::uint32_t>& waits() const { return waits_; }
     std::uint32_t number(const task& t) const { return number(t.stage, t.slab, t.of_nodes); }
     std::size_t numbers() const { return 2 * stages_.size() * slabs_; }
@@ -115,10 +116,8 @@ class wave_plan {
     TAMIS_SELDOM void make() {
         const std::size_t count = stages_.size();
         std::vector<std::uint32_t> next(2 * count * fronts(), 0);  // of each stage of each front: a slab's task, nodes'
-        std::vector<std::uint32_t> front_of(slabs_), done(numbers(), 0);
+        std::vector<std::uint32_t> done(numbers(), 0);
         std::size_t left = 0;
-        for (std::size_t f = 0; f < fronts(); ++f)
-            for (std::size_t k = begin_of(f); k < ends_[f]; ++k) front_of[k] = static_cast<std::uint32_t>(f);
         for (const stage_shape& stage : stages_) left += (stage.has_slabs ? 2 : 1) * slabs_;
         std::vector<task> all;
         all.reserve(left);
@@ -130,11 +129,10 @@ class wave_plan {
             for (int k = 0; k < needed.count; ++k)
                 if (!done[needed.numbers[k]]) return false;
             const auto first_wait = static_cast<std::uint32_t>(waits_.size());
-            for (int k = 0; k < needed.count; ++k)
-                if (front_of[needed.numbers[k] % slabs_] != f) waits_.push_back(needed.numbers[k]);
+            waits_.insert(waits_.end(), needed.numbers, needed.numbers + needed.count);
             all.push_back({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(s),
                            static_cast<std::uint32_t>(slab), of_nodes, first_wait,
-                           static_cast<std::uint32_t>(waits_.size())});
+                           static_cast<std::uint32_t>(waits_.size()), static_cast<std::uint32_t>(all.size())});
             done[number(s, slab, of_nodes)] = 1;
             ++n;
             return true;

@@ -116,65 +116,51 @@ class wavefront {
     void run_one_front(const wave_plan& plan) const {
         for (const auto& t : plan.tasks_of(0)) do_task(t);
     }
-    /// A worker advances the front of its number, and others that nobody has begun while its own ones wait: so all are
-    /// run, however many workers there are at the same time.
+    /// A worker advances the front of its number, task by task, then helps with the others. What it waits for it does
+    /// itself if nobody else comes to it: so all is done, however many workers there are at the same time.
     template <class Execution> void run_fronts(const Execution& run, const wave_plan& plan) {
-        const std::size_t fronts = plan.fronts();
-        std::vector<std::atomic<char>> done(plan.numbers());
-        std::vector<std::atomic<char>> begun(fronts);
-        std::atomic<bool> failed{false};
-        // True once the front is at its end.
-        const auto advance = [&](std::size_t front, std::size_t& next) {
-            const auto& tasks = plan.tasks_of(front);
-            for (; next < tasks.size(); ++next) {
-                const auto& t = tasks[next];
-                for (std::uint32_t k = t.first_wait; k < t.last_wait; ++k)
-                    if (!done[plan.waits()[k]].load(std::memory_order_acquire)) return false;
-                do_task(t);
-                done[plan.number(t)].store(1, std::memory_order_release);
-            }
-            return true;
-        };
-        struct position {
-            std::size_t front, next = 0;
-        };
-        run.for_each(fronts, [&](std::size_t worker) {
-            // Threads that are called at the same time do not begin at the same time.
-            constexpr int patience = 1000;
-            std::vector<position> own;
-            const auto begin_one = [&] {
-                for (std::size_t k = 0; k < fronts; ++k) {
-                    const std::size_t front = (worker + k) % fronts;
-                    if (begun[front].load() || begun[front].exchange(1)) continue;
-                    own.push_back({front});
-                    return true;
-                }
-                return false;
-            };
+        progress now(plan);
+        run.for_each(plan.fronts(), [&](std::size_t worker) {
             try {
-                for (int idle = 0; !failed.load(); ++idle) {
-                    const std::size_t before = own.size();
-                    bool moved = false;
-                    std::erase_if(own, [&](position& p) {
-                        const std::size_t was = p.next;
-                        const bool at_end = advance(p.front, p.next);
-                        moved = moved || p.next != was;
-                        return at_end;
-                    });
-                    if (moved || own.size() != before) idle = 0;
-                    if (own.empty() || idle > patience) {
-                        if (begin_one())
-                            idle = 0;
-                        else if (own.empty())
-                            return;
+                for (std::size_t k = 0; k < plan.fronts(); ++k)
+                    while (do_next(now, (worker + k) % plan.fronts(), plan.numbers())) {
                     }
-                    if (idle > 0) std::this_thread::yield();
-                }
             } catch (...) {
-                failed = true;
+                now.failed = true;
                 throw;
             }
         });
+    }
+    struct progress {
+        const wave_plan& plan;
+        std::vector<std::atomic<std::uint32_t>> next;  // of each front
+        std::vector<std::atomic<char>> done;           // by tasks' numbers
+        std::atomic<bool> failed{false};
+        TAMIS_SELDOM explicit progress(const wave_plan& of) : plan(of), next(of.fronts()), done(of.numbers()) {}
+    };
+    /// Takes the next task of a front and does it, once those are done that it waits for. False if there is none that
+    /// comes before a position in the order of all.
+    TAMIS_NOINLINE bool do_next(progress& now, std::size_t front, std::size_t before) const {
+        const auto tasks = now.plan.tasks_of(front);
+        std::uint32_t mine = now.next[front].load();
+        do {
+            if (mine >= tasks.size() || tasks[mine].position >= before || now.failed.load()) return false;
+        } while (!now.next[front].compare_exchange_weak(mine, mine + 1));
+        const auto& t = tasks[mine];
+        for (std::uint32_t k = t.first_wait; k < t.last_wait; ++k) {
+            // Threads that are called at the same time do not begin at the same time.
+            constexpr int patience = 1000;
+            for (int idle = 0; !now.done[now.plan.waits()[k]].load(std::memory_order_acquire); ++idle) {
+                if (now.failed.load()) return false;
+                std::this_thread::yield();
+                // All that it waits for comes before it: so does what is done meanwhile, and none of that waits for it.
+                for (std::size_t other = 0; idle >= patience && other < now.plan.fronts(); ++other)
+                    if (do_next(now, other, t.position)) break;
+            }
+        }
+        do_task(t);
+        now.done[now.plan.number(t)].store(1, std::memory_order_release);
+        return true;
     }
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -171,11 +172,24 @@ TEST_CASE("wave_plan: fronts wait only where they meet") {
     const std::vector<stage_shape> stages{{true, 0, false}, {true, 1, false}, {true, 0, false}};
     const wave_plan plan(stages, {16, 32, 48, 64});
     for (std::size_t f = 0; f < 4; ++f)
+        for (const auto& t : plan.tasks_of(f))
+            for (std::uint32_t k = t.first_wait; k < t.last_wait; ++k) {
+                const std::size_t other = plan.waits()[k] % 64;
+                const std::size_t to_an_end = std::min(t.slab % 16, 15 - t.slab % 16);
+                CHECK((other / 16 == f || to_an_end < 2));
+            }
+    // All tasks in one order, in which each comes after those that it waits for.
+    std::vector<std::size_t> position(plan.numbers());
+    std::set<std::size_t> seen;
+    for (std::size_t f = 0; f < 4; ++f)
         for (const auto& t : plan.tasks_of(f)) {
-            if (t.first_wait == t.last_wait) continue;
-            const std::size_t to_an_end = std::min(t.slab % 16, 15 - t.slab % 16);
-            CHECK(to_an_end < 2);
+            position[plan.number(t)] = t.position;
+            CHECK(seen.insert(t.position).second);
+            CHECK(t.position < plan.numbers());
         }
+    for (std::size_t f = 0; f < 4; ++f)
+        for (const auto& t : plan.tasks_of(f))
+            for (std::uint32_t k = t.first_wait; k < t.last_wait; ++k) CHECK(position[plan.waits()[k]] < t.position);
     CHECK(plan.is_for(stages, {16, 32, 48, 64}));
     CHECK(!plan.is_for(stages, {16, 32, 47, 64}));
     CHECK(!plan.is_for({{true, 0, false}}, {16, 32, 48, 64}));
