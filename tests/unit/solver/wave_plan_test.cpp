@@ -43,7 +43,7 @@ struct scene {
     void of_nodes(std::size_t s, std::size_t k) {
         std::uint64_t seen = mixed(sums[k], s);
         if (stages[s].looks_around)
-            for (const std::size_t back : {1, 2}) {
+            for (std::size_t back = 1; back <= 2; ++back) {
                 seen = mixed(seen, k < back ? 0 : sums[k - back]);
                 seen = mixed(seen, k + back > slabs ? 0 : sums[k + back]);
             }
