@@ -102,8 +102,8 @@ END
 
 Threads share the slabs of a body, each with its own run of them, about the one whose memory it was the first to write.
 Neighbours begin side by side or meet at their ends, and wait for each other there only; results are those of one thread,
-bit for bit. A body is cut into at most 128 slabs across its outermost axis, each support - 1 cells thick or more, and a
-thread has two or more: 64 cells with quadratic splines are for 16 threads, 256 for 64. On 64 cores a step is then bound by
+bit for bit. A body is cut into at most 128 slabs across its outermost axis (more where each still has 128 tiles), each support - 1
+cells thick or more, and a thread has two or more: 64 cells with quadratic splines are for 16 threads, 256 for 64. On 64 cores a step is then bound by
 memory: n cores at T ns a particle ask for 224 n/T GB/s.
 
 Nanoseconds of the clock here, medians of nine. On a virtual machine the gain falls when the host lends the second

@@ -55,8 +55,9 @@ template <class Solver, class... Body> struct passes {
     template <class F> void each_held_in(F f) {
         if constexpr (Solver::held_type::any)
             for (auto& field : mpm.fields_)
-                field.sweeps.over_nodes(
-                    [f, &field](const node_range& range) { f(field.held, field.sweeps.nodes(), range); });
+                field.sweeps.runner().over_nodes([f, &field](std::size_t first, std::size_t last) {
+                    f(field.held, field.sweeps.nodes(), node_range{first, last});
+                });
     }
     /// f(held), which looks at no node.
     template <class F> void each_holder(F f) {
@@ -64,19 +65,17 @@ template <class Solver, class... Body> struct passes {
     }
     /// What was to be run together is run: somebody is about to look at its results.
     void run_waiting() {
-        for (auto& field : mpm.fields_) field.sweeps.run_waiting();
+        for (auto& field : mpm.fields_) field.sweeps.runner().run_waiting();
     }
     /// f(), whose passes do not wait: between them it looks at nodes itself.
     template <class F> auto at_once(F f) {
         run_waiting();
-        const auto pause = [&](bool yes) {
-            for (auto& field : mpm.fields_) field.sweeps.pause_waiting(yes);
-        };
-        struct ends {
-            decltype(pause)& again;
-            ~ends() { again(false); }
-        } const end{pause};
-        pause(true);
+        auto& runner = mpm.fields_[0].sweeps.runner();
+        const struct pause {
+            decltype(runner)& of;
+            wavefront* where;
+            ~pause() { of.wait_in(where); }
+        } ends{runner, runner.wait_in(nullptr)};
         return f();
     }
     template <class... F, class Kernel> void nodes(fields<F...> list, Kernel kernel) {
@@ -175,7 +174,8 @@ template <class Solver, class... Body> struct passes {
     }
     void finish() {
         if constexpr (Solver::held_type::any)
-            for (auto& field : mpm.fields_) field.sweeps.at_end([&held = field.held, dt = dt_] { held.finish(dt); });
+            for (auto& field : mpm.fields_)
+                field.sweeps.runner().at_end([&held = field.held, dt = dt_] { held.finish(dt); });
     }
     /// m and p become 1/m and v.
     void velocity_of_momentum() { nodes(detail::velocity_of_momentum<C::moves>{}); }

@@ -1,9 +1,8 @@
 #pragma once
-#include <tamis/core/any_call.hpp>
 #include <tamis/grid/node_table.hpp>
 #include <tamis/particles/body.hpp>
 #include <tamis/particles/leavers.hpp>
-#include <tamis/solver/wavefront.hpp>
+#include <tamis/solver/pass_runner.hpp>
 #include <tamis/transfer/assemble.hpp>
 #include <tamis/transfer/gather.hpp>
 #include <tamis/transfer/running_sums.hpp>
@@ -31,15 +30,16 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     using nodes_type = node_table<S, NodeFields>;
     using weigh_type = tile_weights<S, Shape, Moves>;
     static constexpr int W = S::width, N = Shape::support;
-    /// May passes wait, to be run together with others? In 1D the nodes, and mostly the particles, are in the caches.
-    static constexpr bool may_wait = S::dim > 1 && knows_its_count<Execution>;
+    using runner_type = pass_runner<Execution, S::dim>;
 
     sweeps(const Shape& functions, const lattice_type& lattice, const Execution& run)
         : functions_(functions),
           lattice_(lattice),
-          run_(run),
+          runner_(run),
           nodes_(lattice.size(), stores<NodeFields, field::mass_entries<N>> ? lattice.reach() : 0) {}
 
+    /// What runs the passes.
+    runner_type& runner() { return runner_; }
     nodes_type& nodes() { return nodes_; }
     const nodes_type& nodes() const { return nodes_; }
 
@@ -59,30 +59,14 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             node_blocks<fields<F...>>(nodes_.active().data() + begin, end - begin, kernel);
         });
     }
-    /// f(range) for all nodes at once, or range by range where passes are run together.
-    template <class F> void over_nodes(F f) {
-        if constexpr (may_wait)
-            if (waiting_ != nullptr)
-                return waiting_->over_nodes(any_pass([f](std::size_t first, std::size_t last) {
-                    f(node_range{first, last});
-                }));
-        f(node_range{});
-    }
-    /// f() once all passes that wait have been run.
-    template <class F> void at_end(F f) {
-        if constexpr (may_wait)
-            if (waiting_ != nullptr) return waiting_->at_end(any_pass([f](std::size_t, std::size_t) { f(); }));
-        f();
-    }
-
     /// Sums over all active nodes of the numbers that kernel(i) gives, in an order that does not depend on threads.
     template <std::size_t Count, class... F, class Kernel>
     std::array<real, Count> sum_over_nodes(fields<F...>, Kernel kernel) {
-        run_waiting();
+        runner_.run_waiting();
         const auto& active = nodes_.active();
         const std::size_t chunks = (active.size() + chunk - 1) / chunk;
         parts_.resize(std::max(parts_.size(), chunks * Count));
-        in_chunks(run_, active.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        in_chunks(runner_.execution(), active.size(), chunk, [&](std::size_t begin, std::size_t end) {
             T* const part = parts_.data() + begin / chunk * Count;
             std::fill_n(part, Count, T(real(0)));
             const auto add = [&](auto i) TAMIS_INLINE_LAMBDA {
@@ -131,7 +115,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
                                          make, kernel);
             also(t, weigh);
         });
-        if (mail) at_end([&store] { store.mail_delivered(); });
+        if (mail) runner_.at_end([&store] { store.mail_delivered(); });
     }
 
     /// Adds what the particles of a body have in the full mass matrix to its entries at the nodes.
@@ -153,9 +137,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         const auto multiply = [this, steps, use](std::size_t begin, std::size_t end) {
             multiply_blocks<S, N, From>(nodes_.columns(), nodes_.active().data() + begin, end - begin, steps, use);
         };
-        if constexpr (may_wait)
-            if (waiting_ != nullptr) return waiting_->around_nodes(any_pass(waiting_pass(chunk, multiply)));
-        in_blocks(run_, {}, chunk, call_ref<std::size_t, std::size_t>::to(multiply));
+        runner_.around_nodes(blocks_pass(chunk, multiply));
     }
 
     /// As `scatter` with made = kernel.make(slot, gathered), gathered: S F for all node fields F of `Read`, and the
@@ -206,7 +188,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Sums, class Gradient, class Body, class Kernel> void gather_each(Body& body, Kernel kernel) {
         auto& store = body.store();
         ++store.updates;
-        over_slabs(store, [this, &store, kernel](std::size_t k) {
+        runner_.over_slabs(store.slabs(), [this, &store, kernel](std::size_t k) {
             Kernel own = kernel;
             store.each_tile_and_next(k, [&](std::size_t j, const auto* next) {
                 [[maybe_unused]] const some_slots left = gather_tile<Sums, Gradient>(store, store.tiles[j], next, own);
@@ -242,7 +224,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         static_assert(std::is_trivially_destructible_v<part>);
         if (scratch_.size() < slabs * sizeof(part)) scratch_.resize(slabs * sizeof(part));
         auto* const parts = reinterpret_cast<part*>(scratch_.data());
-        run_.for_each(slabs, [&](std::size_t k) {
+        runner_.execution().for_each(slabs, [&](std::size_t k) {
             part& mine = *new (parts + k) part;
             mine.some_left = run_row(k, mine.row);
         });
@@ -261,56 +243,32 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         return ahead && !some_left;
     }
 
-    /// Sums are made in the same order in every step from here on.
-    void begin_step() { first_colour_ = 0; }
-    /// Passes wait, to be run together, from now on until `run_waiting`. For one body, and nodes that no axis wraps.
-    void wait_in(wavefront* waiting) {
-        waiting_ = waiting;
-        paused_ = nullptr;
-    }
-    /// Passes do not wait for a while, then do so again.
-    void pause_waiting(bool yes) {
-        if ((waiting_ == nullptr) == (paused_ == nullptr)) return;
-        if (yes == (waiting_ != nullptr)) std::swap(waiting_, paused_);
-    }
-    void run_waiting() {
-        if constexpr (may_wait)
-            if (waiting_ != nullptr) waiting_->run(run_);
-    }
-
   private:
     static constexpr std::size_t chunk = 256;  // blocks of nodes that one call of the execution looks at
     const Shape& functions_;
     const lattice_type& lattice_;
-    const Execution& run_;
+    runner_type runner_;
     nodes_type nodes_;
     std::vector<char, aligned_allocator<char>> scratch_;  // of gather_and_scatter, kept from step to step
     std::vector<T> parts_;                                // of sums over nodes
-    int first_colour_ = 0;
-    wavefront* paused_ = nullptr;
-    wavefront* waiting_ = nullptr;  // passes that are to be run together, if any
 
-    using any_pass = wavefront::pass_type;
-    /// A pass over active blocks that waits.
-    struct block_pass {
+    /// A pass over active blocks: f(first, last) from the first-th to the one before the last-th, in parts. Where it
+    /// waits, it is run by one thread for each range of places.
+    template <class F> struct pass_over_blocks {
         sweeps* of;
         std::size_t part;
-        any_pass f;
-        void operator()(std::size_t first, std::size_t last) const {
-            of->in_blocks(serial{}, {first, last}, part, f.ref());
-        }
+        F f;
+        void operator()(std::size_t first, std::size_t last) const { of->in_blocks({first, last}, part, f); }
     };
-    template <class F> block_pass waiting_pass(std::size_t part, F f) { return {this, part, any_pass(std::move(f))}; }
-    /// f(first, last) for the active blocks, from the first-th to the one before the last-th, in parts.
-    template <class F> void over_blocks(std::size_t part, F f) {
-        if constexpr (may_wait) {
-            if (waiting_ != nullptr) return waiting_->over_nodes(any_pass(waiting_pass(part, std::move(f))));
-            in_blocks(run_, {}, part, call_ref<std::size_t, std::size_t>::to(f));
-        } else
-            in_blocks(run_, {}, part, f);
+    template <class F> pass_over_blocks<F> blocks_pass(std::size_t part, F f) { return {this, part, std::move(f)}; }
+    template <class F> void over_blocks(std::size_t part, F f) { runner_.over_nodes(blocks_pass(part, std::move(f))); }
+    template <class F> void in_blocks(const node_range& range, std::size_t part, const F& f) {
+        if constexpr (runner_type::may_wait)
+            in_blocks_by(range, part, call_ref<std::size_t, std::size_t>::to(f));
+        else
+            in_blocks_by(range, part, f);
     }
-    template <class Runs, class F>
-    void in_blocks(const Runs& run, const node_range& range, std::size_t part, const F& f) {
+    template <class F> void in_blocks_by(const node_range& range, std::size_t part, const F& f) {
         const auto& active = nodes_.active();
         const auto before = [&](std::size_t place) {
             if (place == node_range::end) return active.size();
@@ -318,37 +276,16 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
             return static_cast<std::size_t>(std::lower_bound(active.begin(), active.end(), block) - active.begin());
         };
         const std::size_t first = range.first == 0 ? 0 : before(range.first), last = before(range.last);
-        in_chunks(run, last - first, part, [&](std::size_t begin, std::size_t end) { f(first + begin, first + end); });
+        const auto shifted = [&](std::size_t begin, std::size_t end) { f(first + begin, first + end); };
+        if (runner_.waits())
+            in_chunks(serial{}, last - first, part, shifted);
+        else
+            in_chunks(runner_.execution(), last - first, part, shifted);
     }
-    /// f(slab), in any order.
-    template <class Store, class F> void over_slabs(Store& store, F f) {
-        if constexpr (may_wait) {
-            const auto pass = [f](std::size_t k, std::size_t) { f(k); };
-            if (waiting_ != nullptr) return waiting_->over_slabs(any_pass(pass));
-            const auto all = call_ref<std::size_t, std::size_t>::to(pass);
-            run_all(store.slabs(), [&](std::size_t k) { all(k, 0); });
-        } else
-            run_all(store.slabs(), f);
-    }
-    /// Slabs k and k + 2 share no node: those of one colour first, then the others, whatever the number of threads.
-    /// Passes that follow one another begin with the one and the other colour, so that little lies between them where
-    /// they are run together.
     template <class Store, class F> void each_tile_by_colour(Store& store, F f) {
-        const auto slab = [&store, f](std::size_t k, std::size_t) {
+        runner_.by_colour(store.slabs(), [&store, f](std::size_t k) {
             store.each_tile_and_next(k, [&](std::size_t j, const auto* next) { f(store.tiles[j], next); });
-        };
-        const int first = first_colour_;
-        first_colour_ = 1 - first_colour_;
-        if constexpr (may_wait) {
-            if (waiting_ != nullptr) return waiting_->over_slabs(any_pass(slab), first);
-            run_by_colour(store.slabs(), call_ref<std::size_t, std::size_t>::to(slab), first);
-        } else
-            run_by_colour(store.slabs(), slab, first);
-    }
-    template <class F> void run_all(std::size_t slabs, const F& f) { run_.for_each(slabs, f); }
-    template <class F> void run_by_colour(std::size_t slabs, const F& f, int first) {
-        for (const auto colour : {static_cast<std::size_t>(first), static_cast<std::size_t>(1 - first)})
-            if (colour < slabs) run_.for_each((slabs - colour + 1) / 2, [&](std::size_t k) { f(2 * k + colour, 0); });
+        });
     }
 
     template <class Shown, class Kernel>

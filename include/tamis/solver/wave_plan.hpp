@@ -37,7 +37,6 @@ class wave_plan {
         std::uint32_t position;               // in an order of all tasks that respects all waits
     };
 
-    wave_plan() = default;
     /// `ends`: behind the last slab of each front.
     TAMIS_SELDOM wave_plan(const std::vector<stage_shape>& stages, const std::vector<std::size_t>& ends)
         : stages_(stages), ends_(ends), slabs_(ends.back()) {
