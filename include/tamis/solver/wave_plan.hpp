@@ -1,6 +1,7 @@
 #pragma once
 #include <tamis/core/config.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,7 +28,7 @@ struct stage_shape {
 /// in a stage is a task, and so is what is done to its own nodes. Fronts share the slabs, each its own run of them, and
 /// may advance at the same time; a front takes the task of the latest stage that can be done, so that it soon comes
 /// back to what it has at hand. Neighbouring fronts go towards each other, or begin side by side: so none waits for
-/// another one's end.
+/// another one's end. Turned, they go the other way: where one plan ends the turned one begins.
 class wave_plan {
   public:
     struct task {
@@ -38,13 +39,13 @@ class wave_plan {
     };
 
     /// `ends`: behind the last slab of each front.
-    TAMIS_SELDOM wave_plan(const std::vector<stage_shape>& stages, const std::vector<std::size_t>& ends)
-        : stages_(stages), ends_(ends), slabs_(ends.back()) {
+    TAMIS_SELDOM wave_plan(const std::vector<stage_shape>& stages, const std::vector<std::size_t>& ends, bool turned)
+        : stages_(stages), ends_(ends), slabs_(ends.back()), turned_(turned) {
         make();
     }
 
-    bool is_for(const std::vector<stage_shape>& stages, const std::vector<std::size_t>& ends) const {
-        return stages == stages_ && ends == ends_;
+    bool is_for(const std::vector<stage_shape>& stages, const std::vector<std::size_t>& ends, bool turned) const {
+        return stages == stages_ && ends == ends_ && turned == turned_;
     }
     std::size_t fronts() const { return ends_.size(); }
     /// The tasks of a front, in its order.
@@ -62,6 +63,7 @@ class wave_plan {
     std::vector<task> tasks_;
     std::vector<std::uint32_t> waits_;
     std::size_t slabs_ = 0;
+    bool turned_;
 
     std::uint32_t number(std::size_t stage, std::size_t slab, bool of_nodes) const {
         return static_cast<std::uint32_t>((2 * stage + (of_nodes ? 1 : 0)) * slabs_ + slab);
@@ -100,46 +102,58 @@ class wave_plan {
 
     std::size_t begin_of(std::size_t front) const { return front == 0 ? 0 : ends_[front - 1]; }
     std::size_t size_of(std::size_t front) const { return ends_[front] - begin_of(front); }
-    /// The n-th slab of a front: odd ones go downwards.
+    /// The n-th slab of a front. Odd ones go downwards, or turned the even ones.
     std::size_t nth(std::size_t front, std::size_t n) const {
-        return front % 2 == 1 ? ends_[front] - 1 - n : begin_of(front) + n;
+        const bool down = (front % 2 == 1) != turned_;
+        const std::size_t size = size_of(front), other_end = down ? front + 1 : front;
+        // A front that meets its neighbour has to wait for it there, now and then. Where it began at an end of all, it
+        // left some to be done meanwhile.
+        const std::size_t left = other_end % fronts() == 0 && fronts() > 1 ? std::min<std::size_t>(2, size / 2) : 0;
+        const std::size_t place = n + left < size ? n + left : size - 1 - n;
+        return down ? ends_[front] - 1 - place : begin_of(front) + place;
     }
-    /// ... of a pass over slabs: those of the second colour come one later than they lie.
-    std::size_t nth_of_pass(const stage_shape& stage, std::size_t front, std::size_t n) const {
-        if (stage.first_colour == stage_shape::any_colour) return nth(front, n);
-        const std::size_t first = is_of_second_colour(stage, nth(front, 0)) ? 0 : 1;
-        if (n < first) return nth(front, n);
-        const std::size_t other = (n - first) % 2 == 0 ? n + 1 : n - 1;
-        return nth(front, other < size_of(front) ? other : n);
-    }
+    /// Fronts are advanced as they would in time, so that where one had to wait it finds something else to do.
     TAMIS_SELDOM void make() {
+        constexpr std::uint32_t slab_takes = 16, nodes_take = 1, never = ~0u;
+        // One that waits for another front, one that waits for what was left, one for the other colour: there is a task
+        // that can be done among the next six of the earliest stage.
+        constexpr std::size_t tried = 6;
         const std::size_t count = stages_.size();
-        std::vector<std::uint32_t> next(2 * count * fronts(), 0);  // of each stage of each front: a slab's task, nodes'
-        std::vector<std::uint32_t> done(numbers(), 0);
+        std::vector<std::vector<std::uint32_t>> open(2 * count * fronts());  // of each front, stage: slabs, nodes
         std::size_t left = 0;
-        for (const stage_shape& stage : stages_) left += (stage.has_slabs ? 2 : 1) * slabs_;
+        for (std::size_t k = 0; k < open.size(); ++k)
+            for (std::size_t f = k / (2 * count), n = 0; n < size_of(f); ++n)
+                if (k % 2 == 1 || stages_[k / 2 % count].has_slabs) {
+                    open[k].push_back(static_cast<std::uint32_t>(nth(f, n)));
+                    ++left;
+                }
+        std::vector<std::uint32_t> clock(fronts(), 0), done(numbers(), never);
         std::vector<task> all;
         all.reserve(left);
         const auto take = [&](std::size_t f, std::size_t s, bool of_nodes) {
-            std::uint32_t& n = next[2 * (f * count + s) + (of_nodes ? 1 : 0)];
-            if (n == size_of(f) || (!of_nodes && !stages_[s].has_slabs)) return false;
-            const std::size_t slab = of_nodes ? nth(f, n) : nth_of_pass(stages_[s], f, n);
-            const tasks_before needed = before(s, slab, of_nodes);
-            for (int k = 0; k < needed.count; ++k)
-                if (!done[needed.numbers[k]]) return false;
-            const auto first_wait = static_cast<std::uint32_t>(waits_.size());
-            waits_.insert(waits_.end(), needed.numbers, needed.numbers + needed.count);
-            all.push_back({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(s),
-                           static_cast<std::uint32_t>(slab), of_nodes, first_wait,
-                           static_cast<std::uint32_t>(waits_.size()), static_cast<std::uint32_t>(all.size())});
-            done[number(s, slab, of_nodes)] = 1;
-            ++n;
-            return true;
+            auto& mine = open[2 * (f * count + s) + (of_nodes ? 1 : 0)];
+            for (auto one = mine.begin(); one != mine.end() && one < mine.begin() + tried; ++one) {
+                const tasks_before needed = before(s, *one, of_nodes);
+                const auto* const end = needed.numbers + needed.count;
+                if (!std::all_of(needed.numbers, end, [&](std::uint32_t k) { return done[k] <= clock[f]; })) continue;
+                const auto first_wait = static_cast<std::uint32_t>(waits_.size());
+                waits_.insert(waits_.end(), needed.numbers, end);
+                all.push_back({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(s), *one, of_nodes, first_wait,
+                               static_cast<std::uint32_t>(waits_.size()), static_cast<std::uint32_t>(all.size())});
+                clock[f] += of_nodes ? nodes_take : slab_takes;
+                done[number(s, *one, of_nodes)] = clock[f];
+                mine.erase(one);
+                return true;
+            }
+            return false;
         };
-        while (all.size() < left)
-            for (std::size_t f = 0; f < fronts(); ++f)
-                for (std::size_t s = count; s-- > 0;)
-                    if (take(f, s, true) || take(f, s, false)) break;
+        while (all.size() < left) {
+            const auto first = std::min_element(clock.begin(), clock.end());
+            const auto f = static_cast<std::size_t>(first - clock.begin());
+            bool found = false;
+            for (std::size_t s = count; s-- > 0 && !found;) found = take(f, s, true) || take(f, s, false);
+            if (!found) ++*first;
+        }
         tasks_.reserve(left);
         for (std::size_t f = 0; f < fronts(); ++f) {
             first_task_.push_back(tasks_.size());

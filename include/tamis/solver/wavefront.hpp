@@ -57,10 +57,10 @@ class wavefront {
         passes_.clear();
         shapes_.clear();
     }
-    /// Runs and forgets all passes.
+    /// Runs and forgets all passes: to and fro, so that what was there at the end is found at the next beginning.
     template <class Execution> void run(const Execution& run) {
         if (!shapes_.empty()) {
-            const wave_plan& plan = plan_for_stages();
+            const wave_plan& plan = next_plan();
             if constexpr (std::same_as<Execution, serial>)
                 run_one_front(plan);
             else if (plan.fronts() == 1)
@@ -83,6 +83,7 @@ class wavefront {
     std::vector<pass> passes_;
     std::vector<stage_shape> shapes_;
     std::vector<wave_plan> plans_;  // steps of a run have few different ones
+    bool turned_ = true;
 
     /// Where fronts end, each with a like share of the work and two slabs or more.
     TAMIS_SELDOM void share_out(const std::vector<std::size_t>& weights, std::size_t threads) {
@@ -97,11 +98,12 @@ class wavefront {
         }
         ends_.push_back(slabs);
     }
-    TAMIS_SELDOM const wave_plan& plan_for_stages() {
+    TAMIS_SELDOM const wave_plan& next_plan() {
+        turned_ = !turned_;
         for (const wave_plan& plan : plans_)
-            if (plan.is_for(shapes_, ends_)) return plan;
-        if (plans_.size() == 8) plans_.clear();
-        plans_.emplace_back(shapes_, ends_);
+            if (plan.is_for(shapes_, ends_, turned_)) return plan;
+        if (plans_.size() == 16) plans_.clear();
+        plans_.emplace_back(shapes_, ends_, turned_);
         return plans_.back();
     }
     void run_passes(std::size_t stage, bool of_nodes, std::size_t a, std::size_t b) const {

@@ -136,7 +136,7 @@ TEST_CASE("wave_plan: fronts make what passes one after the other make, whicheve
         const std::size_t slabs = 1 + random() % 30;
         const auto ends = any_ends(random, slabs, 1 + random() % std::min<std::size_t>(slabs, 6));
         CAPTURE(n, stages.size(), ends);
-        const wave_plan plan(stages, ends);
+        const wave_plan plan(stages, ends, n % 2 == 1);
         const scene expected = one_after_the_other(stages, slabs);
         for (unsigned seed = 0; seed < 3; ++seed) {
             const bool same = together(plan, stages, slabs, seed) == expected;
@@ -156,7 +156,7 @@ TEST_CASE("wave_plan: one front comes back to a slab soon") {
     std::vector<stage_shape> stages{{false, stage_shape::any_colour, false}};
     for (int k = 0; k < 4; ++k) stages.push_back({true, k % 2, false});
     stages.push_back({true, stage_shape::any_colour, false});
-    const wave_plan plan(stages, {40});
+    const wave_plan plan(stages, {40}, false);
     std::array<std::vector<std::size_t>, 40> when;  // a slab's tasks, by the number of tasks over slabs done before
     std::size_t done = 0;
     for (const auto& t : plan.tasks_of(0))
@@ -169,8 +169,9 @@ TEST_CASE("wave_plan: one front comes back to a slab soon") {
 }
 
 TEST_CASE("wave_plan: fronts wait only where they meet") {
+    const bool turned = GENERATE(false, true);
     const std::vector<stage_shape> stages{{true, 0, false}, {true, 1, false}, {true, 0, false}};
-    const wave_plan plan(stages, {16, 32, 48, 64});
+    const wave_plan plan(stages, {16, 32, 48, 64}, turned);
     for (std::size_t f = 0; f < 4; ++f)
         for (const auto& t : plan.tasks_of(f))
             for (std::uint32_t k = t.first_wait; k < t.last_wait; ++k) {
@@ -190,7 +191,63 @@ TEST_CASE("wave_plan: fronts wait only where they meet") {
     for (std::size_t f = 0; f < 4; ++f)
         for (const auto& t : plan.tasks_of(f))
             for (std::uint32_t k = t.first_wait; k < t.last_wait; ++k) CHECK(position[plan.waits()[k]] < t.position);
-    CHECK(plan.is_for(stages, {16, 32, 48, 64}));
-    CHECK(!plan.is_for(stages, {16, 32, 47, 64}));
-    CHECK(!plan.is_for({{true, 0, false}}, {16, 32, 48, 64}));
+    CHECK(plan.is_for(stages, {16, 32, 48, 64}, turned));
+    CHECK(!plan.is_for(stages, {16, 32, 48, 64}, !turned));
+    CHECK(!plan.is_for(stages, {16, 32, 47, 64}, turned));
+    CHECK(!plan.is_for({{true, 0, false}}, {16, 32, 48, 64}, turned));
+}
+
+namespace {
+
+/// Share of the time in which fronts work, if each takes its tasks as they come and a pass over a slab takes the time
+/// `of_slab`, one over its nodes 1.
+double busy(const wave_plan& plan, double of_slab) {
+    std::vector<double> clock(plan.fronts(), 0), done(plan.numbers(), -1);
+    std::vector<std::size_t> next(plan.fronts(), 0);
+    double work = 0;
+    bool some = true;
+    while (some) {
+        some = false;
+        for (std::size_t f = 0; f < plan.fronts(); ++f) {
+            if (next[f] == plan.tasks_of(f).size()) continue;
+            const auto& t = plan.tasks_of(f)[next[f]];
+            double start = clock[f];
+            bool ready = true;
+            for (std::uint32_t k = t.first_wait; k < t.last_wait; ++k) {
+                ready = ready && done[plan.waits()[k]] >= 0;
+                start = std::max(start, done[plan.waits()[k]]);
+            }
+            if (!ready) continue;
+            const double takes = t.of_nodes ? 1 : of_slab;
+            work += takes;
+            done[plan.number(t)] = clock[f] = start + takes;
+            ++next[f];
+            some = true;
+        }
+    }
+    return work / static_cast<double>(plan.fronts()) / *std::max_element(clock.begin(), clock.end());
+}
+
+/// Zero, sums, `terms` terms of the mass matrix, the update.
+std::vector<stage_shape> fmpm_step(int terms) {
+    std::vector<stage_shape> stages{{false, stage_shape::any_colour, false}};
+    for (int k = 0; k <= terms; ++k) stages.push_back({true, k % 2, false});
+    stages.push_back({true, stage_shape::any_colour, false});
+    return stages;
+}
+
+}  // namespace
+
+TEST_CASE("wave_plan: two fronts do not wait for each other, more of them little") {
+    const bool turned = GENERATE(false, true);
+    for (const int terms : {0, 1, 3})
+        for (const std::size_t slabs : {8u, 12u, 20u, 32u, 128u})
+            for (const double of_slab : {12., 16., 24.}) {
+                CAPTURE(turned, terms, slabs, of_slab);
+                CHECK(busy(wave_plan(fmpm_step(terms), {slabs / 2, slabs}, turned), of_slab) > 0.98);
+                if (slabs >= 32) {
+                    const std::size_t part = slabs / 4;
+                    CHECK(busy(wave_plan(fmpm_step(terms), {part, 2 * part, 3 * part, slabs}, turned), of_slab) > 0.9);
+                }
+            }
 }
