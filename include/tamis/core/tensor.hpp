@@ -16,4 +16,13 @@ template <class Tensor> TAMIS_INLINE typename Tensor::Scalar determinant(const T
                a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
 }
 
+/// `value` times the unit tensor.
+template <class Tensor> TAMIS_INLINE Tensor isotropic(const typename Tensor::Scalar& value) {
+    Tensor all;
+    for (int j = 0; j < static_cast<int>(Tensor::ColsAtCompileTime); ++j)
+        for (int i = 0; i < static_cast<int>(Tensor::RowsAtCompileTime); ++i)
+            all(i, j) = i == j ? value : constant<typename Tensor::Scalar>(0);
+    return all;
+}
+
 }  // namespace tamis::detail

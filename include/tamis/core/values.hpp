@@ -71,8 +71,9 @@ template <class S, class... F> struct values<S, fields<F...>> : detail::held_val
     template <class Value> TAMIS_INLINE static void zero(Value& value) {
         if constexpr (std::same_as<Value, typename S::scalar>)
             value = Value(typename S::real(0));
-        else
-            value.setConstant(typename S::scalar(typename S::real(0)));
+        else  // each kind of expression of Eigen takes long to compile
+            for (int k = 0; k < static_cast<int>(Value::SizeAtCompileTime); ++k)
+                value.coeffRef(k) = typename S::scalar(typename S::real(0));
     }
 };
 

@@ -2,6 +2,7 @@
 #include <tamis/core/error.hpp>
 #include <tamis/core/names.hpp>
 #include <tamis/core/power.hpp>
+#include <tamis/core/tensor.hpp>
 
 #include <cmath>
 
@@ -103,7 +104,7 @@ template <class Viscosity> struct ideal_gas_of {
             const T by_mass = viscous_pressure_by_density(d, T(e));
             e = e * share - by_mass * d * dt;
             const T rho0 = p[symbols::m] / p[symbols::V];
-            return Tensor::Identity() * (-rho0 * (constant<T>(gamma - 1) * e + by_mass));
+            return detail::isotropic<Tensor>(-rho0 * (constant<T>(gamma - 1) * e + by_mass));
         }
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
 #include <tamis/core/names.hpp>
+#include <tamis/core/tensor.hpp>
 #include <tamis/material/elastic_constants.hpp>
 
 namespace tamis {
@@ -15,7 +16,7 @@ template <class Tensor> TAMIS_INLINE Tensor elastic_stress(double poisson, const
     else {
         const T lambda = constant<T>(poisson / ((1 + poisson) * (1 - 2 * poisson)));
         const T two_mu = constant<T>(1 / (1 + poisson));
-        return (lambda * strain.trace()) * Tensor::Identity() + two_mu * strain;
+        return isotropic<Tensor>(lambda * strain.trace()) + two_mu * strain;
     }
 }
 
@@ -27,7 +28,7 @@ template <class Tensor> Tensor elastic_strain(double poisson, const Tensor& tau)
     else {
         // Plane strain: the third direction's stress nu tr(tau) belongs to the trace.
         const T trace = tau.trace() * constant<T>(Tensor::RowsAtCompileTime == 2 ? 1 + poisson : 1.0);
-        return constant<T>(1 + poisson) * tau - (constant<T>(poisson) * trace) * Tensor::Identity();
+        return constant<T>(1 + poisson) * tau - isotropic<Tensor>(constant<T>(poisson) * trace);
     }
 }
 
@@ -54,7 +55,7 @@ struct linear_elastic {
         return tau.cwiseProduct(strain_at(p, tau)).sum() / 2;
     }
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
-        const Tensor strain = (L + L.transpose()) * (dt / 2);
+        const Tensor strain = (dt / 2) * Tensor(L + L.transpose());
         return p[symbols::sigma] + at_strain(p, strain);
     }
 };
@@ -87,7 +88,7 @@ struct varying_elastic {
         return tau.cwiseProduct(strain_at(p, tau)).sum() / 2;
     }
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
-        const Tensor strain = (L + L.transpose()) * (dt / 2);
+        const Tensor strain = (dt / 2) * Tensor(L + L.transpose());
         return p[symbols::sigma] + at_strain(p, strain);
     }
 };

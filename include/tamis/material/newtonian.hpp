@@ -1,6 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
 #include <tamis/core/names.hpp>
+#include <tamis/core/tensor.hpp>
 #include <tamis/material/tait.hpp>
 
 #include <cmath>
@@ -58,7 +59,7 @@ template <class Law> struct newtonian {
         using T = typename Tensor::Scalar;
         const T J = p[m] / (p[V] * p[rho]), d = L.trace();
         const T mu = constant<T>(viscosity), spread = constant<T>(bulk_viscosity - viscosity * 2 / 3);
-        const Tensor viscous = (L + L.transpose()) * (mu * J) + Tensor::Identity() * (spread * J * d);
+        const Tensor viscous = (mu * J) * Tensor(L + L.transpose()) + detail::isotropic<Tensor>(spread * J * d);
         return law.stress(p, L, dt) + viscous;
     }
 };

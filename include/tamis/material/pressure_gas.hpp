@@ -2,6 +2,7 @@
 #include <tamis/core/error.hpp>
 #include <tamis/core/names.hpp>
 #include <tamis/core/power.hpp>
+#include <tamis/core/tensor.hpp>
 
 #include <cmath>
 
@@ -79,14 +80,14 @@ template <class Rate> struct pressure_gas_of {
         auto& now = p[field::pressure{}];
         now = now * detail::power(T(constant<T>(1) + L.trace() * dt), -gamma);
         const T J = detail::power(T(now * constant<T>(1 / pressure)), -1 / gamma);
-        return Tensor::Identity() * ((constant<T>(ambient) - now) * J);
+        return detail::isotropic<Tensor>((constant<T>(ambient) - now) * J);
     }
     /// At a fixed point.
     template <class Tensor> Tensor stress(auto p, const Tensor&, auto dt, const auto& flow) const {
         using T = typename Tensor::Scalar;
         auto& now = p[field::pressure{}];
         now += dt * (constant<T>(gamma - 1) * T(flow.velocity.dot(flow.slope)) - constant<T>(gamma) * flow.flux);
-        return Tensor::Identity() * (constant<T>(ambient) - now);
+        return detail::isotropic<Tensor>(constant<T>(ambient) - now);
     }
 };
 using pressure_gas = pressure_gas_of<pressure_rate::by_motion>;

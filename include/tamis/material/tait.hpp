@@ -2,6 +2,7 @@
 #include <tamis/core/error.hpp>
 #include <tamis/core/names.hpp>
 #include <tamis/core/power.hpp>
+#include <tamis/core/tensor.hpp>
 
 #include <cmath>
 
@@ -54,7 +55,7 @@ struct tait {
         using namespace symbols;
         using T = typename Tensor::Scalar;
         const T ratio = p[rho] * p[V] / p[m];
-        return Tensor::Identity() * (-pressure_at(ratio) / ratio);
+        return detail::isotropic<Tensor>(-pressure_at(ratio) / ratio);
     }
 };
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <tamis/core/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +9,18 @@
 #include <vector>
 
 namespace tamis::detail {
+
+/// The numbers of these tiles in a list, from the first-th on, in the order of their nodes.
+template <class Tile>
+TAMIS_SELDOM std::vector<std::uint32_t> by_nodes(const std::vector<Tile>& tiles, std::size_t first) {
+    std::vector<std::pair<std::size_t, std::size_t>> nodes;
+    for (std::size_t k = first; k < tiles.size(); ++k) nodes.emplace_back(tiles[k].node, k);
+    std::sort(nodes.begin(), nodes.end());
+    std::vector<std::uint32_t> order;
+    order.reserve(nodes.size());
+    for (const auto& one : nodes) order.push_back(static_cast<std::uint32_t>(one.second));
+    return order;
+}
 
 /// Tiles by their numbers in a list, in the order of their nodes, grouped into slabs across the outermost axis such
 /// that slabs k and k + 2 reach no common node. The grouping depends on the tiles only, never on the number of threads:
@@ -21,14 +35,14 @@ class slab_order {
         arranged_ = false;
     }
     /// Brings all up to date, with slabs of at least `thinnest` cells along the outermost axis.
-    template <class Tile> void arrange(const std::vector<Tile>& tiles, std::size_t outermost, int thinnest) {
-        if (std::exchange(arranged_, true)) return;
-        const auto before = static_cast<std::ptrdiff_t>(order_.size());
-        const auto by_node = [&](std::uint32_t a, std::uint32_t b) { return tiles[a].node < tiles[b].node; };
-        order_.reserve(tiles.size());
-        while (order_.size() < tiles.size()) order_.push_back(static_cast<std::uint32_t>(order_.size()));
-        std::sort(order_.begin() + before, order_.end(), by_node);
-        std::inplace_merge(order_.begin(), order_.begin() + before, order_.end(), by_node);
+    template <class Tile>
+    TAMIS_SELDOM void arrange(const std::vector<Tile>& tiles, std::size_t outermost, int thinnest) {
+        if (arranged_) return;
+        const std::vector<std::uint32_t> more = by_nodes(tiles, order_.size());
+        std::vector<std::uint32_t> merged(tiles.size());
+        std::merge(order_.begin(), order_.end(), more.begin(), more.end(), merged.begin(),
+                   [&](std::uint32_t a, std::uint32_t b) { return tiles[a].node < tiles[b].node; });
+        order_.swap(merged);
         ends_.assign(1, 0);
         begins_.assign(1, tiles.empty() ? 0 : tiles[order_.front()].at[outermost]);
         if (tiles.size() > 64) {
@@ -44,6 +58,7 @@ class slab_order {
             }
         } else
             ends_.push_back(static_cast<std::uint32_t>(order_.size()));
+        arranged_ = true;
     }
     std::size_t count() const { return ends_.size() - 1; }
     /// Where slab k begins: its cells along the outermost axis are none before this one.

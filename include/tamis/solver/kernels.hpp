@@ -50,7 +50,7 @@ template <class S, class Shape, class Load, class Sums, bool Mass, bool Momentum
     template <class Slot> TAMIS_INLINE carried make(const Slot& slot, [[maybe_unused]] const frame<S>& at) const {
         const auto& mass = slot.template get<field::mass>();
         carried of;
-        if constexpr (Momentum) of.momentum = slot.template get<field::velocity>() * mass;
+        if constexpr (Momentum) of.momentum = mass * slot.template get<field::velocity>();
         // By components: a matrix times a scalar keeps copies of the scalar in memory.
         if constexpr (Force)
             unroll<symmetric_field::components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
@@ -115,7 +115,7 @@ template <bool MassIsNew> struct velocity_of_momentum {
     TAMIS_INLINE void operator()(auto i) const {
         using namespace symbols;
         if constexpr (MassIsNew) i[im] = inverse_or_zero(i[m]);
-        i[v] = i[mv] * i[im];
+        i[v] = i[im] * i[mv];
     }
 };
 
@@ -125,9 +125,9 @@ template <class T, class Sums, bool MassIsNew, bool FromMomentum, bool Keep> str
     TAMIS_INLINE void operator()(auto i) const {
         using namespace symbols;
         if constexpr (MassIsNew) i[im] = inverse_or_zero(i[typename Sums::mass{}]);
-        if constexpr (FromMomentum) i[v] = i[typename Sums::momentum{}] * i[im];
+        if constexpr (FromMomentum) i[v] = i[im] * i[typename Sums::momentum{}];
         if constexpr (Keep) i[v_start] = i[v];
-        i[a] = i[typename Sums::force{}] * i[im];
+        i[a] = i[im] * i[typename Sums::force{}];
         i[v] += dt * i[a];
     }
     using list = typename concatenate<fields_if<MassIsNew, const typename Sums::mass, field::inverse_mass>,

@@ -10,11 +10,24 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <thread>
 #include <utility>
 #include <vector>
+#if defined(__unix__) || defined(__APPLE__)
+#include <sched.h>
+#else
+#include <thread>
+#endif
 
 namespace tamis::detail {
+
+/// Lets others have the processor. (<thread> takes long to compile.)
+inline void let_others_go() {
+#if defined(__unix__) || defined(__APPLE__)
+    sched_yield();
+#else
+    std::this_thread::yield();
+#endif
+}
 
 /// How many fronts an execution policy can advance at the same time; none if it does not tell how many threads it has.
 template <class Execution> inline constexpr bool knows_its_count = requires(const Execution& run) { run.count(); };
@@ -155,7 +168,7 @@ class wavefront {
             constexpr int patience = 1000;
             for (int idle = 0; !now.done[now.plan.waits()[k]].load(std::memory_order_acquire); ++idle) {
                 if (now.failed.load()) return false;
-                std::this_thread::yield();
+                let_others_go();
                 // All that it waits for comes before it: so does what is done meanwhile, and none of that waits for it.
                 for (std::size_t other = 0; idle >= patience && other < now.plan.fronts(); ++other)
                     if (do_next(now, other, t.position)) break;
