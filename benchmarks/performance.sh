@@ -106,8 +106,9 @@ bit for bit. A body is cut into at most 128 slabs across its outermost axis (mor
 cells thick or more, and a thread has two or more: 64 cells with quadratic splines are for 16 threads, 256 for 64. On 64 cores a step is then bound by
 memory: n cores at T ns a particle ask for 224 n/T GB/s.
 
-"At best" is the gain of as many blocks as there are threads, each stepped alone by a thread of its own, all at the same
-time: they wait for nothing but memory. Where the gain comes near it, what is missing is not for threads to mend.
+"Apart" is the gain of as many blocks of the same size as there are threads, each stepped by a thread of its own, all at
+the same time: they never wait for each other, but share what the machine has for all, memory above all. (They need more
+of a shared cache than one block does.) Where the gain comes near it, what is missing is not for threads to mend.
 
 Nanoseconds of the clock here, medians of nine. On a virtual machine the gain falls when the host lends the second
 processor to others; nanoseconds then rise too.

@@ -1,5 +1,6 @@
 #pragma once
 #include <tamis/core/lanes.hpp>
+#include <tamis/core/unroll.hpp>
 
 namespace tamis::detail {
 
@@ -16,12 +17,15 @@ template <class Tensor> TAMIS_INLINE typename Tensor::Scalar determinant(const T
                a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
 }
 
-/// `value` times the unit tensor.
+/// `value` on the diagonal, 0 beside it, whatever the value.
 template <class Tensor> TAMIS_INLINE Tensor isotropic(const typename Tensor::Scalar& value) {
+    constexpr int D = Tensor::RowsAtCompileTime;
+    static_assert(Tensor::ColsAtCompileTime == D);
     Tensor all;
-    for (int j = 0; j < static_cast<int>(Tensor::ColsAtCompileTime); ++j)
-        for (int i = 0; i < static_cast<int>(Tensor::RowsAtCompileTime); ++i)
-            all(i, j) = i == j ? value : constant<typename Tensor::Scalar>(0);
+    unroll<D * D>([&](auto k) TAMIS_INLINE_LAMBDA {
+        constexpr int i = k % D, j = k / D;
+        all(i, j) = i == j ? value : constant<typename Tensor::Scalar>(0);
+    });
     return all;
 }
 

@@ -72,8 +72,8 @@ template <class S, class... F> struct values<S, fields<F...>> : detail::held_val
         if constexpr (std::same_as<Value, typename S::scalar>)
             value = Value(typename S::real(0));
         else  // each kind of expression of Eigen takes long to compile
-            for (int k = 0; k < static_cast<int>(Value::SizeAtCompileTime); ++k)
-                value.coeffRef(k) = typename S::scalar(typename S::real(0));
+            detail::unroll<static_cast<int>(Value::SizeAtCompileTime)>(
+                [&](auto k) TAMIS_INLINE_LAMBDA { value.data()[k] = typename S::scalar(typename S::real(0)); });
     }
 };
 

@@ -14,6 +14,7 @@ namespace tamis::detail {
 template <class Tile>
 TAMIS_SELDOM std::vector<std::uint32_t> by_nodes(const std::vector<Tile>& tiles, std::size_t first) {
     std::vector<std::pair<std::size_t, std::size_t>> nodes;
+    nodes.reserve(tiles.size() - first);
     for (std::size_t k = first; k < tiles.size(); ++k) nodes.emplace_back(tiles[k].node, k);
     std::sort(nodes.begin(), nodes.end());
     std::vector<std::uint32_t> order;

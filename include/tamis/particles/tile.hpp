@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/config.hpp>
 #include <tamis/core/error.hpp>
 #include <tamis/core/execution.hpp>
 #include <tamis/core/memory.hpp>
@@ -58,7 +59,7 @@ template <class S, class List> class tile_store {
     /// adding them moves nothing: large bodies would else be copied, and take their memory many times over. Threads
     /// write parts of them first, so that memory is spread over that of their processors.
     template <class Lattice, class EachCell, class Execution = serial>
-    TAMIS_SELDOM void prepare(const Lattice& lattice, const EachCell& each_cell, const Execution& run = {}) {
+    TAMIS_NOINLINE void prepare(const Lattice& lattice, const EachCell& each_cell, const Execution& run = {}) {
         std::vector<std::array<std::uint32_t, static_cast<std::size_t>(W)>> in_lane;
         each_cell([&](const std::array<int, 3>& cell) {
             const auto t = static_cast<std::size_t>(tile_at(lattice, cell));
@@ -68,8 +69,9 @@ template <class S, class List> class tile_store {
         for (std::size_t t = 0; t < tiles.size(); ++t)
             tiles[t].room = *std::max_element(in_lane[t].begin(), in_lane[t].end());
         std::vector<tile> in_order;
+        in_order.reserve(tiles.size());
         for (const std::uint32_t k : by_nodes(tiles, 0)) in_order.push_back(tiles[k]);
-        tiles.swap(in_order);
+        tiles = std::move(in_order);
         std::size_t needed = 0;
         for (std::size_t t = 0; t < tiles.size(); ++t) {
             tiles[t].first = static_cast<std::uint32_t>(needed);
@@ -160,7 +162,7 @@ template <class S, class List> class tile_store {
     /// ... at once, with so many spare slots for each tile, or half as many as it has, whichever is more: tiles that
     /// need more room go where the processor does not guess them. 0: none. Letters go on waiting, and find room.
     template <class Lattice, class Execution = serial>
-    TAMIS_SELDOM void sort(const Lattice& lattice, std::uint32_t spare, const Execution& run = {}) {
+    TAMIS_NOINLINE void sort(const Lattice& lattice, std::uint32_t spare, const Execution& run = {}) {
         const auto room_of = [&](const tile& t) {
             const std::uint32_t wanted = slots_with_letters(t);
             return spare == 0 ? wanted : even(wanted + std::max(spare, wanted / 2));

@@ -9,7 +9,8 @@
 #include <utility>
 
 // What the passes of a step do to a particle or a node. Named types, not lambdas inside the solver: compositions that
-// need the same pass share its code.
+// need the same pass share its code. Numbers stand before vectors: the other order is one more kind of expression of
+// Eigen, and each takes long to compile.
 namespace tamis::detail {
 
 /// Nothing is the same for every node around a particle.

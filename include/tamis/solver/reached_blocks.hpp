@@ -1,4 +1,5 @@
 #pragma once
+#include <tamis/core/config.hpp>
 #include <tamis/core/memory.hpp>
 #include <tamis/grid/wrap.hpp>
 #include <tamis/particles/tile.hpp>
@@ -28,24 +29,23 @@ class reached_blocks {
     /// Marks what the tiles of these bodies reach, and nothing else. Where tiles have only been added since, those are
     /// looked at.
     template <class Lattice> TAMIS_SELDOM void mark(const std::vector<placed_tiles>& bodies, const Lattice& lattice) {
-        std::vector<part> seen = std::exchange(seen_, {});  // what throws leaves nothing to build upon
-        bool grown = marks_.size() > 0 && seen.size() == bodies.size();
-        for (std::size_t k = 0; k < bodies.size(); ++k) grown = grown && seen[k].ground == bodies[k].ground;
+        bool grown = std::exchange(whole_, false) && seen_.size() == bodies.size();
+        for (std::size_t k = 0; k < bodies.size(); ++k) grown = grown && seen_[k].ground == bodies[k].ground;
         if (!grown) {
             marks_ = zeros<char>(lattice.size() / W<Lattice> + 2);
             blocks_.clear();
-            seen.assign(bodies.size(), {0, 0});
+            seen_.assign(bodies.size(), {0, 0});
         }
         const std::vector<std::uint32_t> known = std::exchange(blocks_, {});
         for (std::size_t k = 0; k < bodies.size(); ++k) {
-            add(bodies[k].tiles.subspan(seen[k].tiles), lattice);
-            seen[k] = {bodies[k].ground, bodies[k].tiles.size()};
+            add(bodies[k].tiles.subspan(seen_[k].tiles), lattice);
+            seen_[k] = {bodies[k].ground, bodies[k].tiles.size()};
         }
         std::sort(blocks_.begin(), blocks_.end());
         std::vector<std::uint32_t> all(known.size() + blocks_.size());
         std::merge(known.begin(), known.end(), blocks_.begin(), blocks_.end(), all.begin());
         blocks_.swap(all);
-        seen_ = std::move(seen);
+        whole_ = true;
     }
 
   private:
@@ -57,6 +57,7 @@ class reached_blocks {
         std::size_t tiles;
     };
     std::vector<part> seen_;  // of each body
+    bool whole_ = false;      // no call was left half done by what it threw
 
     template <class Lattice> void add(std::span<const tile> tiles, const Lattice& lattice) {
         const auto mark = [&](std::size_t block) {

@@ -28,7 +28,7 @@ struct stage_shape {
 /// in a stage is a task, and so is what is done to its own nodes. Fronts share the slabs, each its own run of them, and
 /// may advance at the same time; a front takes the task of the latest stage that can be done, so that it soon comes
 /// back to what it has at hand. Neighbouring fronts go towards each other, or begin side by side: so none waits for
-/// another one's end. Turned, they go the other way: where one plan ends the turned one begins.
+/// another one's end. Turned, they go the other way: about where one plan ends the turned one begins.
 class wave_plan {
   public:
     struct task {
@@ -105,10 +105,10 @@ class wave_plan {
     /// The n-th slab of a front. Odd ones go downwards, or turned the even ones.
     std::size_t nth(std::size_t front, std::size_t n) const {
         const bool down = (front % 2 == 1) != turned_;
-        const std::size_t size = size_of(front), other_end = down ? front + 1 : front;
+        const std::size_t size = size_of(front), starts_at = down ? front + 1 : front;
         // A front that meets its neighbour has to wait for it there, now and then. Where it began at an end of all, it
         // left some to be done meanwhile.
-        const std::size_t left = other_end % fronts() == 0 && fronts() > 1 ? std::min<std::size_t>(2, size / 2) : 0;
+        const std::size_t left = starts_at % fronts() == 0 && fronts() > 1 ? std::min<std::size_t>(2, size / 2) : 0;
         const std::size_t place = n + left < size ? n + left : size - 1 - n;
         return down ? ends_[front] - 1 - place : begin_of(front) + place;
     }
@@ -132,27 +132,36 @@ class wave_plan {
         all.reserve(left);
         const auto take = [&](std::size_t f, std::size_t s, bool of_nodes) {
             auto& mine = open[2 * (f * count + s) + (of_nodes ? 1 : 0)];
-            for (auto one = mine.begin(); one != mine.end() && one < mine.begin() + tried; ++one) {
-                const tasks_before needed = before(s, *one, of_nodes);
+            for (std::size_t n = 0; n < std::min(tried, mine.size()); ++n) {
+                const std::uint32_t slab = mine[n];
+                const tasks_before needed = before(s, slab, of_nodes);
                 const auto* const end = needed.numbers + needed.count;
                 if (!std::all_of(needed.numbers, end, [&](std::uint32_t k) { return done[k] <= clock[f]; })) continue;
                 const auto first_wait = static_cast<std::uint32_t>(waits_.size());
                 waits_.insert(waits_.end(), needed.numbers, end);
-                all.push_back({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(s), *one, of_nodes, first_wait,
+                all.push_back({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(s), slab, of_nodes, first_wait,
                                static_cast<std::uint32_t>(waits_.size()), static_cast<std::uint32_t>(all.size())});
                 clock[f] += of_nodes ? nodes_take : slab_takes;
-                done[number(s, *one, of_nodes)] = clock[f];
-                mine.erase(one);
+                done[number(s, slab, of_nodes)] = clock[f];
+                mine.erase(mine.begin() + static_cast<std::ptrdiff_t>(n));
                 return true;
             }
             return false;
         };
+        std::size_t begun = 0;  // stages; one more may begin
         while (all.size() < left) {
-            const auto first = std::min_element(clock.begin(), clock.end());
-            const auto f = static_cast<std::size_t>(first - clock.begin());
+            const auto f = static_cast<std::size_t>(std::min_element(clock.begin(), clock.end()) - clock.begin());
             bool found = false;
-            for (std::size_t s = count; s-- > 0 && !found;) found = take(f, s, true) || take(f, s, false);
-            if (!found) ++*first;
+            for (std::size_t s = std::min(begun + 1, count); s-- > 0 && !found;) {
+                found = take(f, s, true) || take(f, s, false);
+                if (found) begun = std::max(begun, s + 1);
+            }
+            if (found) continue;
+            // Nothing is new before somebody else is done.
+            std::uint32_t then = never;
+            for (const std::uint32_t other : clock)
+                if (other > clock[f]) then = std::min(then, other);
+            clock[f] = then == never ? clock[f] + 1 : then;
         }
         tasks_.reserve(left);
         for (std::size_t f = 0; f < fronts(); ++f) {

@@ -96,7 +96,7 @@ class wavefront {
     std::vector<pass> passes_;
     std::vector<stage_shape> shapes_;
     std::vector<wave_plan> plans_;  // steps of a run have few different ones
-    bool turned_ = true;
+    bool turned_ = true;            // the last one
 
     /// Where fronts end, each with a like share of the work and two slabs or more.
     TAMIS_SELDOM void share_out(const std::vector<std::size_t>& weights, std::size_t threads) {

@@ -145,6 +145,20 @@ TEST_CASE("wave_plan: fronts make what passes one after the other make, whicheve
     }
 }
 
+TEST_CASE("wave_plan: so do many fronts of many slabs") {
+    std::mt19937 random(11);
+    for (const std::size_t fronts : {3u, 13u, 64u})
+        for (const bool turned : {false, true}) {
+            const auto stages = any_stages(random);
+            std::vector<std::size_t> ends;
+            for (std::size_t f = 1; f <= fronts; ++f) ends.push_back(128 * f / fronts);
+            CAPTURE(fronts, turned, stages.size());
+            const bool same =
+                together(wave_plan(stages, ends, turned), stages, 128, 5) == one_after_the_other(stages, 128);
+            CHECK(same);
+        }
+}
+
 TEST_CASE("wave_plan: a scene in another order is another one") {
     const std::vector<stage_shape> stages{{true, 0, false}, {true, 1, false}};
     const auto expected = one_after_the_other(stages, 6);
@@ -152,11 +166,12 @@ TEST_CASE("wave_plan: a scene in another order is another one") {
 }
 
 TEST_CASE("wave_plan: one front comes back to a slab soon") {
+    const bool turned = GENERATE(false, true);
     // A step of FMPM(4): zero, sums, three terms, the update.
     std::vector<stage_shape> stages{{false, stage_shape::any_colour, false}};
     for (int k = 0; k < 4; ++k) stages.push_back({true, k % 2, false});
     stages.push_back({true, stage_shape::any_colour, false});
-    const wave_plan plan(stages, {40}, false);
+    const wave_plan plan(stages, {40}, turned);
     std::array<std::vector<std::size_t>, 40> when;  // a slab's tasks, by the number of tasks over slabs done before
     std::size_t done = 0;
     for (const auto& t : plan.tasks_of(0))
@@ -225,6 +240,7 @@ double busy(const wave_plan& plan, double of_slab) {
             some = true;
         }
     }
+    for (std::size_t f = 0; f < plan.fronts(); ++f) REQUIRE(next[f] == plan.tasks_of(f).size());
     return work / static_cast<double>(plan.fronts()) / *std::max_element(clock.begin(), clock.end());
 }
 
