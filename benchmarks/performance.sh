@@ -63,7 +63,7 @@ END
             step_3d) cat << 'END'
 
 What bounds it: arithmetic and its operands, and with eight lanes memory too, once the particles are beyond the caches. A
-particle takes 430 instructions, 1720 a slot of four (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`):
+particle takes 445 instructions, 1780 a slot of four (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`):
 arithmetic, loads that do not fold into it, shifts of rows, and what sixteen registers cannot hold. Bytes: 112 a particle
 and 56 a node (float: half). The step by hand keeps node fields in columns and all 21 sums of a row at once; sixteen
 registers spill them, and each row touches seven pages.
@@ -102,9 +102,9 @@ END
 
 Threads share the slabs of a body, each with its own run of them, about the one whose memory it was the first to write.
 Neighbours begin side by side or meet at their ends, and wait for each other there only; results are those of one thread,
-bit for bit. A body is cut into at most 128 slabs across its outermost axis (more where each still has 128 tiles), each support - 1
-cells thick or more, and a thread has two or more: 64 cells with quadratic splines are for 16 threads, 256 for 64. On 64 cores a step is then bound by
-memory: n cores at T ns a particle ask for 224 n/T GB/s.
+bit for bit. A body is cut into at most 128 slabs across its outermost axis (more where each still has 128 tiles), each of
+16 tiles and support - 1 cells or more, and a thread has two or more: 64 cells with quadratic splines are for 16 threads,
+256 for 64. On 64 cores a step is then bound by memory: n cores at T ns a particle ask for 224 n/T GB/s.
 
 "Apart" is the gain of as many blocks of the same size as there are threads, each stepped by a thread of its own, all at
 the same time: they never wait for each other, but share what the machine has for all, memory above all. (They need more

@@ -75,12 +75,12 @@ class slab_order {
     std::vector<int> begins_{0};
 
     /// How many slabs of equal thickness, where there is room for so many: at most 128, or as many as have 128 tiles
-    /// each, about half a megabyte of particles, so that some slabs fit into a core's own cache; and as many in each
-    /// colour as two threads can share evenly.
+    /// each, about half a megabyte of particles, so that some slabs fit into a core's own cache; 16 tiles in each, so
+    /// that what a slab takes beside its tiles is little; and as many in each colour as two threads can share evenly.
     static int slabs_across(int room, std::size_t tiles) {
-        constexpr std::size_t enough = 128, of_tiles = 128;
-        const int count =
-            static_cast<int>(std::min(static_cast<std::size_t>(room), std::max(enough, tiles / of_tiles)));
+        constexpr std::size_t enough = 128, of_tiles = 128, least_tiles = 16;
+        const int count = static_cast<int>(
+            std::min({static_cast<std::size_t>(room), std::max(enough, tiles / of_tiles), tiles / least_tiles}));
         return count >= 8 ? count / 4 * 4 : std::max(count, 1);
     }
 };

@@ -30,7 +30,7 @@ template <class Body, class Value> auto as_tensor(const Value& value) {
     using real = typename Body::real;
     using tensor = matrix<Body::dim, real>;
     if constexpr (std::is_convertible_v<Value, real>)
-        return tensor(tensor::Identity() * static_cast<real>(value));
+        return isotropic<tensor>(static_cast<real>(value));
     else
         return tensor(value);
 }

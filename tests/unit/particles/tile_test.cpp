@@ -202,6 +202,7 @@ template <int Dim, class T, class Shape> void slabs_are_apart(const uniform_grid
     }
     store.template arrange<Shape::support>();
     CHECK(store.slabs() > 4);
+    CHECK(store.slabs() * 16 <= store.tiles.size());
     std::set<std::size_t> seen;
     std::vector<std::set<std::size_t>> places(store.slabs());
     for (std::size_t k = 0; k < store.slabs(); ++k)
