@@ -71,6 +71,7 @@ template <class S, class Law> struct flux_to_nodes {
         conservation::state<count, T> along[S::dim];
     };
     using reads = fields<field::mass>;
+    static constexpr bool uses_slopes = true;
     const Law& law;
     T half_dt;
 
@@ -99,6 +100,7 @@ template <class S, class Law> struct flux_to_nodes {
 /// S^T V S times the term at hand.
 template <int Count> struct spread_term {
     using reads = fields<field::mass>;
+    static constexpr bool uses_slopes = false;
     /// V S times the term.
     TAMIS_INLINE static auto make(const auto& slot, const auto& term_p) {
         return (term_p.sums.template get<field::change_term<Count>>() * slot.template get<field::mass>()).eval();

@@ -229,29 +229,23 @@ template <class S, class List> class tile_store {
     }
     /// Storage place of the first node that slab k reaches.
     std::size_t first_place(std::size_t k) const { return tiles[row(k).front()].node; }
-    /// Asks for fields of a slot that will be needed soon: after particles have crossed cells, tiles that follow one
-    /// another do not lie one after the other, and processors do not guess where the next one is.
-    template <class... F> TAMIS_INLINE void fetch(const slot* s, fields<F...>) const {
-        (fetch(reinterpret_cast<const char*>(&s->template get<F>()), sizeof(s->template get<F>())), ...);
-    }
-    /// ... for all up to the last of these,
-    template <class... F> TAMIS_INLINE void fetch_up_to(const slot* s, fields<F...>) const {
-        const char* const first = reinterpret_cast<const char*>(s);
-        std::size_t end = 0;
-        ((end = std::max(end,
-                         static_cast<std::size_t>(reinterpret_cast<const char*>(&s->template get<F>() + 1) - first))),
-         ...);
-        fetch(first, end);
+    /// Asks for a slot that will be needed soon, from its beginning up to the last of some fields: after particles have
+    /// crossed cells, tiles that follow one another do not lie one after the other, and processors do not guess where
+    /// the next one is. Of `parts` calls each asks for some of the lines: a processor waits for few at the same time.
+    template <class... F> TAMIS_INLINE void fetch([[maybe_unused]] const slot* s, fields<F...>,
+                                                  [[maybe_unused]] int part = 0, [[maybe_unused]] int parts = 1) const {
+        constexpr int last = std::max({slot::template first<F>() + F::template components<S>...});
+        fetch<false>(s, static_cast<std::size_t>(last * W) * sizeof(real), part, parts);
     }
     /// ... or for all of it, to be written.
-    TAMIS_INLINE void fetch_to_write(const slot* s) const {
-        fetch<true>(reinterpret_cast<const char*>(s), sizeof(slot));
-    }
-    /// Runs f(tile index, first slot of the next tile) over the tiles of slab k, in the order of their nodes.
-    template <class F> TAMIS_INLINE void each_tile_and_next(std::size_t k, F&& f) const {
+    TAMIS_INLINE void fetch_to_write(const slot* s) const { fetch<true>(s, sizeof(slot), 0, 1); }
+    /// Runs f(tile index, first slot of the tile that comes `Ahead` tiles later) over the tiles of slab k, in the order
+    /// of their nodes.
+    template <int Ahead, class F> TAMIS_INLINE void each_tile_and_soon(std::size_t k, F&& f) const {
         const auto all = row(k);
+        const std::size_t last = all.size() - 1;
         for (std::size_t j = 0; j < all.size(); ++j)
-            f(all[j], slots.data() + tiles[all[j + 1 < all.size() ? j + 1 : j]].first);
+            f(all[j], slots.data() + tiles[all[std::min(j + static_cast<std::size_t>(Ahead), last)]].first);
     }
 
   private:
@@ -265,13 +259,18 @@ template <class S, class List> class tile_store {
 
     /// Lines asked for to be written are taken from other processors and may count as changed, so that they go back to
     /// memory: what is only read is not asked for in that way.
-    template <bool Writes = false>
-    TAMIS_INLINE static void fetch([[maybe_unused]] const char* first, [[maybe_unused]] std::size_t bytes) {
+    template <bool Writes> TAMIS_INLINE static void fetch([[maybe_unused]] const slot* s,
+                                                          [[maybe_unused]] std::size_t bytes, [[maybe_unused]] int part,
+                                                          [[maybe_unused]] int parts) {
 #if defined(__GNUC__)
         constexpr std::size_t line = 64;
-        for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(first + at, Writes);
+        const char* const first = reinterpret_cast<const char*>(s);
+        const int lines = static_cast<int>((bytes + line - 1) / line);
+        for (int l = part; l < lines; l += parts)
+            __builtin_prefetch(first + static_cast<std::size_t>(l) * line, Writes);
         // Slots that begin in the middle of a line end in one more.
-        if constexpr (sizeof(slot) % line != 0) __builtin_prefetch(first + bytes - 1, Writes);
+        if constexpr (sizeof(slot) % line != 0)
+            if (part == 0) __builtin_prefetch(first + bytes - 1, Writes);
 #endif
     }
     /// f(k) for k < count, parts of it by threads.

@@ -100,11 +100,16 @@ template <class S> struct slope_of_row {
     }
 };
 
-/// Weights of the nodes around W particles: the product of N weights per axis.
-template <class S, int N> struct stencil {
+/// In the place of a slope that nobody asked for.
+struct no_slope {};
+template <class T, int N> struct axis_values { T w[N]; };
+
+/// Weights of the nodes around W particles: the product of N weights per axis. Without `Slopes` it has none to keep: a
+/// pass over particles keeps stencils in memory, and compilers would write them there.
+template <class S, int N, bool Slopes = true> struct stencil {
     using T = typename S::scalar;
     using real = typename S::real;
-    axis_weights<T, N> axis[S::dim];
+    std::conditional_t<Slopes, axis_weights<T, N>, axis_values<T, N>> axis[S::dim];
 
     /// Slopes come per cell side and leave per unit of length. `particle`: what shapes that depend on it see of it.
     template <class Shape, class... Particle> TAMIS_INLINE void set(const Shape& shape, const typename S::vector& local,
@@ -120,7 +125,7 @@ template <class S, int N> struct stencil {
             // One by one: GCC would copy the struct by a call.
             unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
                 axis[d].w[k] = from.w[k];
-                axis[d].dw[k] = from.dw[k] * inverse_spacing;
+                if constexpr (Slopes) axis[d].dw[k] = from.dw[k] * inverse_spacing;
             });
         });
     }
@@ -131,25 +136,37 @@ template <class S, int N> struct stencil {
         if constexpr (N >= 3)
             unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
                 fold_end<0, 1, 2>(axis[d].w, walls.low[d]);
-                fold_end<0, 1, 2>(axis[d].dw, walls.low[d]);
                 fold_end<N - 1, N - 2, N - 3>(axis[d].w, walls.high[d]);
-                fold_end<N - 1, N - 2, N - 3>(axis[d].dw, walls.high[d]);
+                if constexpr (Slopes) {
+                    fold_end<0, 1, 2>(axis[d].dw, walls.low[d]);
+                    fold_end<N - 1, N - 2, N - 3>(axis[d].dw, walls.high[d]);
+                }
             });
     }
 
     /// Product over y and z, and its slopes.
-    struct across {
+    struct weight_across {
+        T w;
+    };
+    struct slopes_across {
         T w, d1, d2;
     };
+    using across = std::conditional_t<Slopes, slopes_across, weight_across>;
     TAMIS_INLINE across row(int r) const {
-        if constexpr (S::dim == 1)
+        [[maybe_unused]] const int a = r % N, b = r / N;
+        if constexpr (!Slopes) {
+            if constexpr (S::dim == 1)
+                return {T(real(1))};
+            else if constexpr (S::dim == 2)
+                return {axis[1].w[r]};
+            else
+                return {axis[1].w[a] * axis[2].w[b]};
+        } else if constexpr (S::dim == 1)
             return {T(real(1)), T(real(0)), T(real(0))};
         else if constexpr (S::dim == 2)
             return {axis[1].w[r], axis[1].dw[r], T(real(0))};
-        else {
-            const int a = r % N, b = r / N;
+        else
             return {axis[1].w[a] * axis[2].w[b], axis[1].dw[a] * axis[2].w[b], axis[1].w[a] * axis[2].dw[b]};
-        }
     }
     TAMIS_INLINE T weight(int a, const across& q) const {
         if constexpr (S::dim == 1)
@@ -157,8 +174,18 @@ template <class S, int N> struct stencil {
         else
             return axis[0].w[a] * q.w;
     }
-    TAMIS_INLINE slope_of<S> slope(int a, const across& q) const {
-        return {axis[0].dw[a], axis[0].w[a], q.w, q.d1, q.d2};
+    TAMIS_INLINE auto slope(int a, const across& q) const {
+        if constexpr (Slopes)
+            return slope_of<S>{axis[0].dw[a], axis[0].w[a], q.w, q.d1, q.d2};
+        else
+            return no_slope{};
+    }
+    /// Of the sum of a row's weights.
+    TAMIS_INLINE static auto slope_of_sum(const across& q) {
+        if constexpr (Slopes)
+            return slope_of_row<S>{q.d1, q.d2};
+        else
+            return no_slope{};
     }
 
   private:
@@ -186,13 +213,16 @@ template <class Shape> struct held_weights {
             });
         });
     }
-    template <class S> TAMIS_INLINE static void recall(stencil<S, Shape::support>& to, const value<S>& from,
-                                                       const typename S::scalar& inverse_spacing) {
+    template <class S, bool Slopes> TAMIS_INLINE static void recall(stencil<S, Shape::support, Slopes>& to,
+                                                                    const value<S>& from,
+                                                                    const typename S::scalar& inverse_spacing) {
         constexpr int N = Shape::support;
         unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
             unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
                 to.axis[d].w[k] = from[d * per_axis + k];
-                if constexpr (constant_slope<Shape>) {
+                if constexpr (!Slopes)
+                    return;
+                else if constexpr (constant_slope<Shape>) {
                     static_assert(N == 2, "tamis: only two functions with constant slopes are a partition of unity");
                     to.axis[d].dw[k] = k == 0 ? -inverse_spacing : inverse_spacing;
                 } else

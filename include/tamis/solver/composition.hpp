@@ -239,7 +239,7 @@ template <class Grid, class... P> struct composition {
     /// What the step itself needs of a particle.
     using step_fields = merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
                               std::conditional_t<moves, on_particles_t<shape>, fields<>>,
-                              fields<field::velocity, field::mass, field::volume, field::stress>, on_particles_t<mass>,
+                              fields<field::mass, field::velocity, field::volume, field::stress>, on_particles_t<mass>,
                               on_particles_t<update>, typename kinds::particle_fields,
                               std::conditional_t<moves && remaps, fields<field::displacement>, fields<>>>;
 };

@@ -19,6 +19,7 @@ struct nothing {};
 /// m = S^T M.
 struct mass_to_nodes {
     using reads = fields<field::mass>;
+    static constexpr bool uses_slopes = false;
     TAMIS_INLINE static nothing make(const auto&, const auto&) { return {}; }
     TAMIS_INLINE void operator()(auto p, auto near, const nothing&) const {
         using namespace symbols;
@@ -36,6 +37,7 @@ template <class S, class Shape, class Load, class Sums, bool Mass, bool Momentum
                              fields_if<Force, typename Sums::force>>::type;
     using kinds = load_kinds<Load, point<S::dim, typename S::real>>;
     static constexpr bool loaded = Force && kinds::on_particles, on_faces = loaded && kinds::by_face;
+    static constexpr bool uses_slopes = Force;
     using reads =
         merge<fields<field::mass>, fields_if<Momentum, field::velocity>, fields_if<Force, field::volume, field::stress>,
               std::conditional_t<loaded, typename kinds::particle_fields, fields<>>>;
@@ -74,6 +76,7 @@ template <class S, class Shape, class Load, class Sums, bool Mass, bool Momentum
 /// What contact measures on nodes: mass gradient, mean place of the particles.
 template <class S, class Shape, bool Gradient, bool Place> struct contact_to_nodes {
     using reads = fields<field::mass>;
+    static constexpr bool uses_slopes = Gradient;
     template <class Slot> TAMIS_INLINE typename S::vector make(const Slot& slot, const frame<S>& at) const {
         typename S::vector moment = S::vector::Constant(typename S::scalar(typename S::real(0)));
         if constexpr (Place) moment = places<S, Shape>(slot, at) * slot.template get<field::mass>();
@@ -90,6 +93,7 @@ template <class S, class Shape, bool Gradient, bool Place> struct contact_to_nod
 /// SdV = S^T M S dv, dv in `From`.
 template <class From> struct spread {
     using reads = fields<field::mass>;
+    static constexpr bool uses_slopes = false;
     /// M S dv.
     TAMIS_INLINE static auto make(const auto& slot, const auto& dv_p) {
         return (dv_p.sums.template get<From>() * slot.template get<field::mass>()).eval();

@@ -105,12 +105,13 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         auto& store = body.store();
         const bool mail = store.has_mail();
         using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
-        each_tile_by_colour(store, [this, &table, &store, mail, kernel, also](tile& t, const auto* next) {
+        each_tile_by_colour<ahead_to_sum>(store, [this, &table, &store, mail, kernel, also](tile& t, const auto* soon) {
             if (mail) store.deliver(t);
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto& slot, const auto&, const auto& at)
                                   TAMIS_INLINE_LAMBDA { return kernel.make(slot, at); };
-            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch_up_to(next + k, reads{}); };
+            const auto fetch = [&](std::uint32_t k, auto... part)
+                                   TAMIS_INLINE_LAMBDA { store.fetch(soon + k, reads{}, part...); };
             scatter_tile<Shown, ToNodes>(lattice_, table, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
                                          make, kernel);
             also(t, weigh);
@@ -122,9 +123,9 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Body> void assemble_matrix(Body& body) {
         auto& store = body.store();
         using reads = merge<typename weigh_type::reads, fields<field::mass>>;
-        each_tile_by_colour(store, [this, &store](const tile& t, const auto* next) {
+        each_tile_by_colour<ahead_to_sum>(store, [this, &store](const tile& t, const auto* soon) {
             const weigh_type weigh(functions_, lattice_, t);
-            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k, reads{}); };
+            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(soon + k, reads{}); };
             matrix_of_tile<S, Shape>::add(lattice_, nodes_, store.slots.data(), t, weigh, fetch);
         });
     }
@@ -146,15 +147,16 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
         using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
-        each_tile_by_colour(store, [this, &store, kernel](const tile& t, const auto* next) {
+        each_tile_by_colour<ahead_of_few_fields>(store, [this, &store, kernel](const tile& t, const auto* soon) {
             const weigh_type weigh(functions_, lattice_, t);
             const nodes_around<S, Shape, typename with_gradient<Read, Gradient>::type> around(lattice_, nodes_, t.node);
-            const auto make = [&](const auto& slot, const stencil<S, N>& st, const auto&) TAMIS_INLINE_LAMBDA {
+            const auto make = [&](const auto& slot, const auto& st, const auto&) TAMIS_INLINE_LAMBDA {
                 gathered<S, Read, components_of<S, Gradient>> g;
                 gather<Gradient>(around, st, g);
                 return kernel.make(slot, g);
             };
-            const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(next + k, reads{}); };
+            const auto fetch = [&](std::uint32_t k, auto... part)
+                                   TAMIS_INLINE_LAMBDA { store.fetch(soon + k, reads{}, part...); };
             scatter_tile<Shown, ToNodes>(lattice_, nodes_, store.slots.data(), t, lattice_.frame_of(t.at), weigh, fetch,
                                          make, kernel);
         });
@@ -190,8 +192,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         ++store.updates;
         runner_.over_slabs(store.slabs(), [this, &store, kernel](std::size_t k) {
             Kernel own = kernel;
-            store.each_tile_and_next(k, [&](std::size_t j, const auto* next) {
-                [[maybe_unused]] const some_slots left = gather_tile<Sums, Gradient>(store, store.tiles[j], next, own);
+            store.template each_tile_and_soon<ahead_to_write>(k, [&](std::size_t j, const auto* soon) {
+                [[maybe_unused]] const some_slots left = gather_tile<Sums, Gradient>(store, store.tiles[j], soon, own);
                 if constexpr (Moves)
                     if (left.any()) [[unlikely]]
                         post_leavers(store, lattice_, k, j, left);
@@ -244,6 +246,9 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
   private:
+    // How many tiles before their turn slots are asked for, by benchmarks/step_3d and step_2d: what is all written, two
+    // tiles ahead, would take most of a core's own cache; a few fields come late one tile ahead.
+    static constexpr int ahead_to_write = 1, ahead_to_sum = 2, ahead_of_few_fields = 3;
     static constexpr std::size_t chunk = 256;  // blocks of nodes that one call of the execution looks at
     const Shape& functions_;
     const lattice_type& lattice_;
@@ -282,9 +287,10 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         else
             in_chunks(runner_.execution(), last - first, part, shifted);
     }
-    template <class Store, class F> void each_tile_by_colour(Store& store, F f) {
+    template <int Ahead, class Store, class F> void each_tile_by_colour(Store& store, F f) {
         runner_.by_colour(store.slabs(), [&store, f](std::size_t k) {
-            store.each_tile_and_next(k, [&](std::size_t j, const auto* next) { f(store.tiles[j], next); });
+            store.template each_tile_and_soon<Ahead>(k,
+                                                     [&](std::size_t j, const auto* soon) { f(store.tiles[j], soon); });
         });
     }
 
@@ -313,7 +319,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     template <class Sums, class Gradient, class Store, class Kernel>
-    TAMIS_FLATTEN some_slots gather_tile(Store& store, const tile& t, const typename Store::slot* next,
+    TAMIS_FLATTEN some_slots gather_tile(Store& store, const tile& t, const typename Store::slot* soon,
                                          Kernel& kernel) {
         const weigh_type weigh(functions_, lattice_, t);
         const frame<S> at = lattice_.frame_of(t.at);
@@ -328,7 +334,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         some_slots left;
         for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
             auto& slot = store.slots[s];
-            if constexpr (S::dim > 1) store.fetch_to_write(next + (s - t.first));
+            if constexpr (S::dim > 1) store.fetch_to_write(soon + (s - t.first));
             stencil<S, N> st;
             weigh(st, slot);
             gathered<S, Sums> g;

@@ -14,6 +14,7 @@ template <class S> struct flow {
 /// c V0 and V0 to nodes, c the field that the law carries.
 template <class Carried> struct carried_to_nodes {
     using reads = fields<field::volume, Carried>;
+    static constexpr bool uses_slopes = false;
     template <class Slot> TAMIS_INLINE auto make(const Slot& slot, const auto&) const {
         const auto& volume = slot.template get<field::volume>();
         return std::array{volume, volume * slot.template get<Carried>()};

@@ -91,8 +91,8 @@ template <class S, class Shape, class List> class nodes_around {
 template <class T> struct local_value { T value, slope[3]; };
 
 /// Axis by axis, x first: the tensor product is never multiplied out.
-template <int Axes, bool Slope, class Shape, class S, int N>
-TAMIS_INLINE local_value<typename S::scalar> at_particles(const stencil<S, N>& st,
+template <int Axes, bool Slope, class Shape, class S, int N, bool Slopes>
+TAMIS_INLINE local_value<typename S::scalar> at_particles(const stencil<S, N, Slopes>& st,
                                                           const typename S::scalar (*nodes)[N]) {
     using T = typename S::scalar;
     const auto& axis = st.axis[Axes - 1];
@@ -134,8 +134,8 @@ TAMIS_INLINE local_value<typename S::scalar> at_particles(const stencil<S, N>& s
 
 /// Gathers what `to` lists, and the gradient. Components go by one after the other: were they side by side, compilers
 /// would move all loads of nodes out of the loop over slots, into registers that are not there.
-template <class Gradient, class S, class Shape, class List, class... F, int Components>
-TAMIS_INLINE void gather(const nodes_around<S, Shape, List>& around, const stencil<S, Shape::support>& st,
+template <class Gradient, class S, class Shape, class List, bool Slopes, class... F, int Components>
+TAMIS_INLINE void gather(const nodes_around<S, Shape, List>& around, const stencil<S, Shape::support, Slopes>& st,
                          gathered<S, fields<F...>, Components>& to) {
     constexpr int D = S::dim;
     const auto field = [&](auto tag, auto wants_sum, auto& gathers) TAMIS_INLINE_LAMBDA {

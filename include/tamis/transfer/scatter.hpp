@@ -13,6 +13,18 @@ inline constexpr int sums_in_registers = TAMIS_VECTOR_REGISTERS - 4;
 /// once, 45 (quadratic) are not.
 inline constexpr int sums_at_once = std::max(sums_in_registers, 24);
 
+/// Are slots to come asked for line by line while rows of nodes go by, or at once before? By benchmarks/step_3d and
+/// step_2d: the first is faster, but where registers are few, it takes those of sums.
+inline constexpr bool asks_by_rows = TAMIS_VECTOR_REGISTERS >= 32;
+
+/// How many rows of N nodes, of the N that lie side by side, have their sums in registers at the same time: what rows
+/// share is then loaded once.
+constexpr int rows_together(int N, int components) {
+    for (int rows = N; rows > 1; --rows)
+        if (N % rows == 0 && rows * N * components <= sums_in_registers) return rows;
+    return 1;
+}
+
 /// The fields of a list in groups whose sums, `nodes` for each component, fit into registers.
 template <class S, int Nodes, class List> struct in_groups;
 template <class S, int Nodes, class... F> struct in_groups<S, Nodes, fields<F...>> {
@@ -109,26 +121,31 @@ TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, 
 }
 
 /// Runs `kernel(p, near, made)` for all slots of a tile and adds what it put on the nodes. `make(slot, stencil, frame)`
-/// gives what is the same for every node of a slot. `fetch(k)` asks for slot k of the next tile. Where the sums of all
-/// rows of nodes are too many at once, slots' weights are kept while rows go by, and a row is flushed once per chunk.
+/// gives what is the same for every node of a slot; `Kernel::uses_slopes`: does the kernel look at slopes of weights?
+/// `fetch(k)` asks for slot k of a tile that comes soon, `fetch(k, part, parts)` for a part of it. Where the sums of
+/// all rows of nodes are too many at once, slots' weights are kept while rows go by, and a row is flushed once per
+/// chunk.
 template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Fetch,
           class Make, class Kernel>
 TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& nodes, Slot* slots, const tile& t,
                                 const frame<S>& at, Weigh& weigh, Fetch& fetch, Make& make, Kernel& kernel) {
     constexpr int N = Shape::support, rows = tamis::detail::lattice<S, Shape>::rows;
     constexpr int pivot = rows > 1 ? pivot_of<Shape> : -1;
+    using stencil_type = stencil<S, N, Kernel::uses_slopes>;
     Slot* slot = slots + t.first;
-    const auto add = [&](auto group, auto& sums, Slot& from, const stencil<S, N>& st, const auto& across,
+    const auto add = [&](auto group, auto& sums, Slot& from, const stencil_type& st, const auto& across,
                          const auto& made) TAMIS_INLINE_LAMBDA {
         using sums_type = group_sums<S, typename std::remove_cvref_t<decltype(group)>::type, ToNodes>;
+        using slope = decltype(st.slope(0, across));
+        using row_slope = decltype(st.slope_of_sum(across));
         const slot_row<S, Slot, Shown> p{from, at};
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
             sums_type to(sums[a]);
             if constexpr (a == pivot)
-                kernel(p, one_node<S, sums_type, ToNodes, slope_of_row<S>>{{{to}, across.w, {across.d1, across.d2}}},
-                       made);
+                kernel(p, one_node<S, sums_type, ToNodes, row_slope>{{{to}, across.w, st.slope_of_sum(across)}}, made);
             else
-                kernel(p, one_node<S, sums_type, ToNodes>{{{to}, st.weight(a, across), st.slope(a, across)}}, made);
+                kernel(p, one_node<S, sums_type, ToNodes, slope>{{{to}, st.weight(a, across), st.slope(a, across)}},
+                       made);
         });
     };
     if constexpr (rows == 1 || rows * N * values<S, ToNodes>::components <= sums_at_once) {
@@ -137,7 +154,7 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
             [&](auto r) TAMIS_INLINE_LAMBDA { unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[r][a].set_zero(); }); });
         for (std::uint32_t s = 0; s < t.count; ++s) {
             if constexpr (rows > 1) fetch(s);
-            stencil<S, N> st;
+            stencil_type st;
             weigh(st, slot[s]);
             const auto made = make(slot[s], st, at);
             unroll<rows>([&](auto r) TAMIS_INLINE_LAMBDA {
@@ -149,26 +166,37 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
         });
     } else {
         using groups = in_groups<S, N, ToNodes>;
+        constexpr int together = rows_together(N, values<S, ToNodes>::components);
         constexpr int chunk = 16;
         for (std::uint32_t done = 0; done < t.count; done += chunk, slot += chunk) {
             const int n = static_cast<int>(std::min<std::uint32_t>(chunk, t.count - done));
-            stencil<S, N> st[chunk];
+            stencil_type st[chunk];
             using made_type = decltype(make(*slot, st[0], at));
             made_type made[chunk];
             for (int s = 0; s < n; ++s) {
-                fetch(done + static_cast<std::uint32_t>(s));
+                if constexpr (!asks_by_rows) fetch(done + static_cast<std::uint32_t>(s));
                 weigh(st[s], slot[s]);
                 // In place: copies would go through memory in smaller pieces.
                 new (&made[s]) made_type(make(slot[s], st[s], at));
             }
-            for (int r = 0; r < rows; ++r)
+            [[maybe_unused]] constexpr int parts = rows / together * groups::groups;
+            for (int r = 0; r < rows; r += together)
                 unroll<groups::groups>([&](auto g) TAMIS_INLINE_LAMBDA {
                     using group = typename groups::template group<g>;
-                    values<S, group> sums[N];
-                    unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
-                    for (int s = 0; s < n; ++s)
-                        add(std::type_identity<group>{}, sums, slot[s], st[s], st[s].row(r), made[s]);
-                    flush<S, N, pivot>(nodes, sums, t.node + lattice.row_offset(r), group{});
+                    values<S, group> sums[together][N];
+                    unroll<together>([&](auto k) TAMIS_INLINE_LAMBDA {
+                        unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[k][a].set_zero(); });
+                    });
+                    for (int s = 0; s < n; ++s) {
+                        if constexpr (asks_by_rows)
+                            fetch(done + static_cast<std::uint32_t>(s), r / together * groups::groups + g, parts);
+                        unroll<together>([&](auto k) TAMIS_INLINE_LAMBDA {
+                            add(std::type_identity<group>{}, sums[k], slot[s], st[s], st[s].row(r + k), made[s]);
+                        });
+                    }
+                    unroll<together>([&](auto k) TAMIS_INLINE_LAMBDA {
+                        flush<S, N, pivot>(nodes, sums[k], t.node + lattice.row_offset(r + k), group{});
+                    });
                 });
         }
     }

@@ -22,7 +22,8 @@ template <class S, class Shape, bool Moves> struct tile_weights {
           at_wall(Moves && lattice.at_wall(t.at)) {
         if (at_wall) walls = lattice.walls_of(t.at);
     }
-    template <class Slot> TAMIS_INLINE void operator()(stencil<S, Shape::support>& st, const Slot& slot) const {
+    template <bool Slopes, class Slot>
+    TAMIS_INLINE void operator()(stencil<S, Shape::support, Slopes>& st, const Slot& slot) const {
         if constexpr (Moves) {
             if constexpr (reads_particles<Shape>)
                 st.set(functions, slot.template get<field::position>(), inverse_spacing,

@@ -91,6 +91,35 @@ template <int Dim, class Shape> void tensor_product() {
     }
 }
 
+/// Made of places, folded at walls, and recalled from what was kept.
+template <int Dim, class Shape> void weights_without_slopes_are_the_same() {
+    using S = space<Dim, double>;
+    using weights = detail::held_weights<Shape>;
+    constexpr int N = Shape::support;
+    typename S::vector local;
+    detail::wall_lanes<S> walls;
+    for (int d = 0; d < Dim; ++d) {
+        local[d] = 0.6 + 0.15 * d;
+        walls.low[d] = 1;
+        walls.high[d] = 0;
+    }
+    stencil<S, N> with;
+    stencil<S, N, false> without, back;
+    with.set(Shape{}, local, 8.);
+    without.set(Shape{}, local, 8.);
+    with.fold(walls);
+    without.fold(walls);
+    typename weights::template value<S> kept;
+    weights::template keep<S>(kept, with);
+    weights::template recall<S>(back, kept, 8.);
+    STATIC_REQUIRE(sizeof(without) == sizeof(double) * Dim * N);
+    for (int r = 0; r < detail::power(N, Dim - 1); ++r)
+        for (int a = 0; a < N; ++a) {
+            CHECK(without.weight(a, without.row(r)) == with.weight(a, with.row(r)));
+            CHECK(back.weight(a, back.row(r)) == with.weight(a, with.row(r)));
+        }
+}
+
 template <int Dim, class Shape> void kept_weights_come_back() {
     using S = space<Dim, double>;
     using weights = detail::held_weights<Shape>;
@@ -172,4 +201,11 @@ TEST_CASE("held_weights: what was kept comes back, and with it the place") {
     kept_weights_come_back<3, linear>();
     kept_weights_come_back<2, quadratic_spline>();
     kept_weights_come_back<2, cubic_spline>();
+}
+
+TEST_CASE("stencil: without slopes the weights are the same, and nothing is kept beside them") {
+    weights_without_slopes_are_the_same<1, linear>();
+    weights_without_slopes_are_the_same<2, quadratic_spline>();
+    weights_without_slopes_are_the_same<3, quadratic_spline>();
+    weights_without_slopes_are_the_same<3, cubic_spline>();
 }

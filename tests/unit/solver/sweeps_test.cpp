@@ -29,6 +29,7 @@ struct no_law {
 };
 struct mass_and_momentum {
     using reads = fields<field::mass, field::velocity>;
+    static constexpr bool uses_slopes = false;
     static int make(const auto&, const auto&) { return 0; }
     void operator()(auto p, auto near, int) const {
         for (const auto& [i, w, dw] : near) {
@@ -140,6 +141,7 @@ struct without_pivot {
 /// All sums of the step: more than registers hold, so that they are made in groups.
 struct all_sums {
     using reads = fields<field::mass, field::velocity>;
+    static constexpr bool uses_slopes = true;
     static int make(const auto&, const auto&) { return 0; }
     void operator()(auto p, auto near, int) const {
         for (const auto& [i, w, dw] : near) {
