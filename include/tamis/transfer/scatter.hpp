@@ -3,6 +3,7 @@
 #include <tamis/particles/tile.hpp>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace tamis::detail {
 
@@ -12,10 +13,6 @@ inline constexpr int sums_in_registers = TAMIS_VECTOR_REGISTERS - 4;
 /// read again for every row. By benchmarks/step_2d with sixteen registers: 20 sums (linear functions) are faster at
 /// once, 45 (quadratic) are not.
 inline constexpr int sums_at_once = std::max(sums_in_registers, 24);
-
-/// Are slots to come asked for line by line while rows of nodes go by, or at once before? By benchmarks/step_3d and
-/// step_2d: the first is faster, but where registers are few, it takes those of sums.
-inline constexpr bool asks_by_rows = TAMIS_VECTOR_REGISTERS >= 32;
 
 /// How many rows of N nodes, of the N that lie side by side, have their sums in registers at the same time: what rows
 /// share is then loaded once.
@@ -122,9 +119,9 @@ TAMIS_INLINE void flush(const Nodes& nodes, Sums (&sums)[N], std::size_t place, 
 
 /// Runs `kernel(p, near, made)` for all slots of a tile and adds what it put on the nodes. `make(slot, stencil, frame)`
 /// gives what is the same for every node of a slot; `Kernel::uses_slopes`: does the kernel look at slopes of weights?
-/// `fetch(k)` asks for slot k of a tile that comes soon, `fetch(k, part, parts)` for a part of it. Where the sums of
-/// all rows of nodes are too many at once, slots' weights are kept while rows go by, and a row is flushed once per
-/// chunk.
+/// `fetch(k)` asks for slot k of a tile that comes soon, `fetch(k, part, parts)`, if there, for a part of it. Where the
+/// sums of all rows of nodes are too many at once, slots' weights are kept while rows go by, and a row is flushed once
+/// per chunk.
 template <class Shown, class ToNodes, class S, class Shape, class Nodes, class Slot, class Weigh, class Fetch,
           class Make, class Kernel>
 TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& nodes, Slot* slots, const tile& t,
@@ -166,7 +163,11 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
         });
     } else {
         using groups = in_groups<S, N, ToNodes>;
-        constexpr int together = rows_together(N, values<S, ToNodes>::components);
+        // Slopes, and what they are multiplied by, want those registers themselves.
+        constexpr int together = Kernel::uses_slopes ? 1 : rows_together(N, values<S, ToNodes>::components);
+        // What asks for a part with each slot and row holds the core up less than what asks for all before, but where
+        // registers are few it takes those of sums (benchmarks/step_3d, step_2d).
+        constexpr bool in_parts = TAMIS_VECTOR_REGISTERS >= 32 && std::is_invocable_v<Fetch&, std::uint32_t, int, int>;
         constexpr int chunk = 16;
         for (std::uint32_t done = 0; done < t.count; done += chunk, slot += chunk) {
             const int n = static_cast<int>(std::min<std::uint32_t>(chunk, t.count - done));
@@ -174,7 +175,7 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
             using made_type = decltype(make(*slot, st[0], at));
             made_type made[chunk];
             for (int s = 0; s < n; ++s) {
-                if constexpr (!asks_by_rows) fetch(done + static_cast<std::uint32_t>(s));
+                if constexpr (!in_parts) fetch(done + static_cast<std::uint32_t>(s));
                 weigh(st[s], slot[s]);
                 // In place: copies would go through memory in smaller pieces.
                 new (&made[s]) made_type(make(slot[s], st[s], at));
@@ -188,7 +189,7 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
                         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[k][a].set_zero(); });
                     });
                     for (int s = 0; s < n; ++s) {
-                        if constexpr (asks_by_rows)
+                        if constexpr (in_parts)
                             fetch(done + static_cast<std::uint32_t>(s), r / together * groups::groups + g, parts);
                         unroll<together>([&](auto k) TAMIS_INLINE_LAMBDA {
                             add(std::type_identity<group>{}, sums[k], slot[s], st[s], st[s].row(r + k), made[s]);
