@@ -63,7 +63,7 @@ END
             step_3d) cat << 'END'
 
 What bounds it: arithmetic and its operands, and with eight lanes memory too, once the particles are beyond the caches. A
-particle takes 445 instructions, 1780 a slot of four (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`):
+particle takes 444 instructions, 1777 a slot of four (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`):
 arithmetic, loads that do not fold into it, shifts of rows, and what sixteen registers cannot hold. Bytes: 112 a particle
 and 56 a node (float: half). The step by hand keeps node fields in columns and all 21 sums of a row at once; sixteen
 registers spill them, and each row touches seven pages.

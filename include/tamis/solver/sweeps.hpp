@@ -105,7 +105,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         auto& store = body.store();
         const bool mail = store.has_mail();
         using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
-        each_tile_by_colour<ahead>(store, [this, &table, &store, mail, kernel, also](tile& t, const auto* soon) {
+        each_tile_by_colour<tiles_ahead>(store, [this, &table, &store, mail, kernel, also](tile& t, const auto* soon) {
             if (mail) store.deliver(t);
             const weigh_type weigh(functions_, lattice_, t);
             const auto make = [&](const auto& slot, const auto&, const auto& at)
@@ -122,7 +122,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     template <class Body> void assemble_matrix(Body& body) {
         auto& store = body.store();
         using reads = merge<typename weigh_type::reads, fields<field::mass>>;
-        each_tile_by_colour<ahead>(store, [this, &store](const tile& t, const auto* soon) {
+        each_tile_by_colour<tiles_ahead>(store, [this, &store](const tile& t, const auto* soon) {
             const weigh_type weigh(functions_, lattice_, t);
             const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(soon + k, reads{}); };
             matrix_of_tile<S, Shape>::add(lattice_, nodes_, store.slots.data(), t, weigh, fetch);
@@ -146,7 +146,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
         using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
-        each_tile_by_colour<ahead_of_few_fields>(store, [this, &store, kernel](const tile& t, const auto* soon) {
+        each_tile_by_colour<tiles_ahead_of_few_fields>(store, [this, &store, kernel](const tile& t, const auto* soon) {
             const weigh_type weigh(functions_, lattice_, t);
             const nodes_around<S, Shape, typename with_gradient<Read, Gradient>::type> around(lattice_, nodes_, t.node);
             const auto make = [&](const auto& slot, const auto& st, const auto&) TAMIS_INLINE_LAMBDA {
@@ -191,7 +191,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         ++store.updates;
         runner_.over_slabs(store.slabs(), [this, &store, kernel](std::size_t k) {
             Kernel own = kernel;
-            store.template each_tile_and_soon<ahead>(k, [&](std::size_t j, const auto* soon) {
+            store.template each_tile_and_soon<tiles_ahead>(k, [&](std::size_t j, const auto* soon) {
                 [[maybe_unused]] const some_slots left = gather_tile<Sums, Gradient>(store, store.tiles[j], soon, own);
                 if constexpr (Moves)
                     if (left.any()) [[unlikely]]
@@ -247,7 +247,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
   private:
     // How many tiles before their turn slots are asked for, by benchmarks/step_3d and crossing: all of them, two tiles
     // ahead, take much of a core's own cache; a few fields come late one tile ahead.
-    static constexpr int ahead = 1, ahead_of_few_fields = 3;
+    static constexpr int tiles_ahead = 1, tiles_ahead_of_few_fields = 3;
     static constexpr std::size_t chunk = 256;  // blocks of nodes that one call of the execution looks at
     const Shape& functions_;
     const lattice_type& lattice_;
