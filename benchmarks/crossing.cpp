@@ -1,6 +1,7 @@
 // What it costs when particles change cells: a 3D block that drifts to and fro, its particles anywhere in their cells;
 // and the block at rest where it had drifted to, whose lanes are about as unevenly filled although nobody crosses. The
-// occupancy printed at the end is the share of lanes that hold a particle: the least, mean and most of 60 steps.
+// occupancy printed at the end is the share of lanes that hold a particle: the least, mean and most of 60 steps. The
+// step by hand is that of a block of as many cells whose particles stay where they are.
 #include <tamis/tamis.hpp>
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "block.hpp"
+#include "by_hand_3d.hpp"
 #include "ratios.hpp"
 
 namespace {
@@ -104,6 +107,11 @@ int main(int argc, char** argv) {
     run.add(five, kept, [] { return settled(0.05); });
     run.compare(one, stopped_at);
     run.compare(five, stopped_at);
+    using hand = by_hand::block_3d<double, space<3, native_lanes::type<double>>::width>;
+    const std::string by_hand_kept = "3D/by hand/quadratic/flip/crossing 0 %";
+    run.add(by_hand_kept, "", [] { return hand_stepped<hand>{std::make_unique<hand>(cells)}; });
+    run.compare(one, by_hand_kept);
+    run.compare(five, by_hand_kept);
     const int status = run.run(argc, argv);
     tell("crossing 0 %", block(0));
     tell("crossing 0 %, stopped", stopped());
