@@ -45,19 +45,19 @@ TEST_CASE("a dump lists every node with the particles in its reach, and every fi
         std::vector<std::string>{
             "step 0 time 0",
             "  node 0 position 0 mass 0.125 momentum 0.0625 velocity 0.5 internal_force 0 density 1 stress 0 strain 0",
-            "    weight 0.5 slope -4 body 0 particle 0 position 0.125 velocity 0.5 mass 0.25 volume 0.25 stress 0 "
+            "    weight 0.5 slope -4 body 0 particle 0 position 0.125 mass 0.25 velocity 0.5 volume 0.25 stress 0 "
             "temperature 300 "
             "density 1 strain 0",
             "  node 1 position 0.25 mass 0.25 momentum 0.25 velocity 1 internal_force 0 density 1 stress 0 strain 0",
-            "    weight 0.5 slope 4 body 0 particle 0 position 0.125 velocity 0.5 mass 0.25 volume 0.25 stress 0 "
+            "    weight 0.5 slope 4 body 0 particle 0 position 0.125 mass 0.25 velocity 0.5 volume 0.25 stress 0 "
             "temperature 300 "
             "density 1 strain 0",
-            "    weight 0.5 slope -4 body 0 particle 1 position 0.375 velocity 1.5 mass 0.25 volume 0.25 stress 0 "
+            "    weight 0.5 slope -4 body 0 particle 1 position 0.375 mass 0.25 velocity 1.5 volume 0.25 stress 0 "
             "temperature 300 "
             "density 1 strain 0",
             "  node 2 position 0.5 mass 0.125 momentum 0.1875 velocity 1.5 internal_force 0 density 1 stress 0 strain "
             "0",
-            "    weight 0.5 slope 4 body 0 particle 1 position 0.375 velocity 1.5 mass 0.25 volume 0.25 stress 0 "
+            "    weight 0.5 slope 4 body 0 particle 1 position 0.375 mass 0.25 velocity 1.5 volume 0.25 stress 0 "
             "temperature 300 "
             "density 1 strain 0",
             "  in no node's reach: 0", "  not a number: 0, cell crossings since the last record: 0", "end of the run"});
