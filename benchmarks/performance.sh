@@ -85,7 +85,8 @@ END
 Most of it is not crossing itself. A tile has as many slots as its fullest lane, and particles that have wandered fill
 lanes unevenly: a step over slots is longer by the inverse of the occupancy, and the slots, with spare ones between them,
 take more of caches and memory. "Stopped" is the block at rest where it had drifted to; crossing, the mailbox and new
-tiles, is what is beyond it, as far as the mean occupancies agree.
+tiles, is what is beyond it, as far as the mean occupancies agree. The step by hand has full tiles and nobody who
+crosses.
 Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
 says in 3D, a slot of W particles W times the step above it. That gains little: the emptiest slots have one or two. The
 worst case is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
