@@ -229,13 +229,17 @@ template <class S, class List> class tile_store {
     }
     /// Storage place of the first node that slab k reaches.
     std::size_t first_place(std::size_t k) const { return tiles[row(k).front()].node; }
+    /// How many components of a slot there are up to the last of some fields.
+    template <class... F> static constexpr int components_to(fields<F...>) {
+        return std::max({slot::template first<F>() + F::template components<S>...});
+    }
     /// Asks for a slot that will be needed soon, from its beginning up to the last of some fields: after particles have
     /// crossed cells, tiles that follow one another do not lie one after the other, and processors do not guess where
     /// the next one is. Of `parts` calls each asks for some of the lines: a processor waits for few at the same time.
     template <class... F> TAMIS_INLINE void fetch([[maybe_unused]] const slot* s, fields<F...>,
                                                   [[maybe_unused]] int part = 0, [[maybe_unused]] int parts = 1) const {
-        constexpr int last = std::max({slot::template first<F>() + F::template components<S>...});
-        fetch<false>(s, static_cast<std::size_t>(last * W) * sizeof(real), part, parts);
+        constexpr int count = components_to(fields<F...>{});
+        fetch<false>(s, static_cast<std::size_t>(count * W) * sizeof(real), part, parts);
     }
     /// ... or for all of it, to be written.
     TAMIS_INLINE void fetch_to_write(const slot* s) const { fetch<true>(s, sizeof(slot), 0, 1); }

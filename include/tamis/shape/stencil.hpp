@@ -144,13 +144,13 @@ template <class S, int N, bool Slopes = true> struct stencil {
             });
     }
 
-    /// Product over y and z, and its slopes.
     struct weight_across {
         T w;
     };
     struct slopes_across {
         T w, d1, d2;
     };
+    /// Product over y and z, and its slopes.
     using across = std::conditional_t<Slopes, slopes_across, weight_across>;
     TAMIS_INLINE across row(int r) const {
         [[maybe_unused]] const int a = r % N, b = r / N;

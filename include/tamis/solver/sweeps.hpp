@@ -86,7 +86,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     /// Sums over the particles of a body: kernel(p, near, made) adds to node fields `ToNodes`, made = kernel.make(slot,
-    /// stencil, frame). Of particles the kernel reads the fields `Kernel::reads`.
+    /// frame). Of particles the kernel reads the fields `Kernel::reads`, of weights slopes too if
+    /// `Kernel::uses_slopes`.
     template <class Shown, class ToNodes, class Body, class Kernel> void scatter(Body& body, Kernel kernel) {
         scatter_onto<Shown, ToNodes>(nodes_, body, kernel);
     }
@@ -141,12 +142,15 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
     /// As `scatter` with made = kernel.make(slot, gathered), gathered: S F for all node fields F of `Read`, and the
-    /// gradient of a node field. Of particles the kernel reads the fields `Kernel::reads`.
+    /// gradient of a node field, for which the kernel must say that it uses slopes.
     template <class Shown, class Read, class ToNodes, class Gradient = no_field, class Body, class Kernel>
     void scatter_gathered(Body& body, Kernel kernel) {
         auto& store = body.store();
         using reads = merge<typename weigh_type::reads, typename Kernel::reads>;
-        each_tile_by_colour<tiles_ahead_of_few_fields>(store, [this, &store, kernel](const tile& t, const auto* soon) {
+        using store_type = typename Body::store_type;
+        constexpr bool few = 2 * store_type::components_to(reads{}) <= store_type::components;
+        each_tile_by_colour<few ? tiles_ahead_of_few_fields : tiles_ahead>(store, [this, &store, kernel](
+                                                                                      const tile& t, const auto* soon) {
             const weigh_type weigh(functions_, lattice_, t);
             const nodes_around<S, Shape, typename with_gradient<Read, Gradient>::type> around(lattice_, nodes_, t.node);
             const auto make = [&](const auto& slot, const auto& st, const auto&) TAMIS_INLINE_LAMBDA {
@@ -168,7 +172,7 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
         for (const tile& t : store.tiles) {
             const weigh_type weigh(functions_, lattice_, t);
             for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
-                stencil<S, N> st;
+                stencil<S, N, false> st;
                 weigh(st, store.slots[s]);
                 real mass[W], weight[count][W];
                 lane<T>::store(mass, store.slots[s].template get<field::mass>());
@@ -245,8 +249,8 @@ template <class S, class Shape, class NodeFields, class Execution, bool Moves> c
     }
 
   private:
-    // How many tiles before their turn slots are asked for, by benchmarks/step_3d and crossing: all of them, two tiles
-    // ahead, take much of a core's own cache; a few fields come late one tile ahead.
+    // How many tiles before their turn slots are asked for: whole slots, two tiles ahead, take much of a core's own
+    // cache; half a slot or less comes late one tile ahead.
     static constexpr int tiles_ahead = 1, tiles_ahead_of_few_fields = 3;
     static constexpr std::size_t chunk = 256;  // blocks of nodes that one call of the execution looks at
     const Shape& functions_;

@@ -45,7 +45,7 @@ template <class S, class Shape> class matrix_of_tile {
                                   const tile& t, const Weigh& weigh, const Fetch& fetch) {
         const Slot* slot = slots + t.first;
         const auto multiply = [&](products& to, const Slot& from) TAMIS_INLINE_LAMBDA {
-            stencil<S, N> st;
+            stencil<S, N, false> st;
             weigh(st, from);
             const T m = from.template get<field::mass>();
             unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA {

@@ -165,8 +165,8 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
         using groups = in_groups<S, N, ToNodes>;
         // Slopes, and what they are multiplied by, want those registers themselves.
         constexpr int together = Kernel::uses_slopes ? 1 : rows_together(N, values<S, ToNodes>::components);
-        // What asks for a part with each slot and row holds the core up less than what asks for all before, but where
-        // registers are few it takes those of sums (benchmarks/step_3d, step_2d).
+        // What asks for a part with each slot and group of rows holds the core up less than what asks for all before,
+        // but it wants registers itself.
         constexpr bool in_parts = TAMIS_VECTOR_REGISTERS >= 32 && std::is_invocable_v<Fetch&, std::uint32_t, int, int>;
         constexpr int chunk = 16;
         for (std::uint32_t done = 0; done < t.count; done += chunk, slot += chunk) {

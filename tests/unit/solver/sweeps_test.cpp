@@ -52,7 +52,7 @@ template <int Dim, class F> void each_node(const uniform_grid<Dim, double>& grid
 }
 
 /// Particles anywhere in a box, of any mass and velocity, and their sweeps.
-template <int Dim, class Shape, class Lanes> struct scene {
+template <int Dim, class Shape, class Lanes, std::size_t Count = 130> struct scene {
     using C = detail::composition<uniform_grid<Dim, double>, Shape, pic, Lanes>;
     using S = typename C::S;
     using solver_type = solver<uniform_grid<Dim, double>, Shape, pic, Lanes>;
@@ -77,7 +77,7 @@ template <int Dim, class Shape, class Lanes> struct scene {
     }
     static std::vector<point<Dim, double>> points() {
         std::mt19937 random(11);
-        std::vector<point<Dim, double>> all(130);
+        std::vector<point<Dim, double>> all(Count);
         for (auto& at : all)
             for (int d = 0; d < Dim; ++d)
                 at[d] = std::uniform_real_distribution<double>(0, box<Dim>().upper()[d])(random);
@@ -129,6 +129,37 @@ template <int Dim, class Shape, class Lanes> void transfers_are_complete() {
     CHECK(slope_error < 1e-13);
     for (const auto p : std::as_const(s.body))
         for (int d = 0; d < Dim; ++d) CHECK(std::abs(p[v][d] - linear_velocity(p[x], d)) < 4e-14);
+}
+
+/// As a sweep of FMPM(k) sums: few numbers a node, so that rows of nodes are summed together where there are registers.
+template <bool Slopes> struct momentum_alone {
+    using reads = fields<field::mass, field::velocity>;
+    static constexpr bool uses_slopes = Slopes;
+    static int make(const auto&, const auto&) { return 0; }
+    void operator()(auto p, auto near, int) const {
+        for (const auto& [i, w, dw] : near) i[mv] += w * p[m] * p[v];
+    }
+};
+
+/// Sums of more particles than are looked at in one go, against weights looked up one by one.
+template <int Dim, class Shape, class Lanes, bool Slopes> void sums_of_crowded_cells() {
+    using scene_type = scene<Dim, Shape, Lanes, 4000>;
+    CAPTURE(Dim, Shape::support, scene_type::S::width, Slopes);
+    scene_type s;
+    std::uint32_t most = 0;
+    for (const auto& t : s.body.store().tiles) most = std::max(most, t.count);
+    CHECK(most > 16);
+    s.sweeps.template scatter<fields<const field::mass, const field::velocity>, fields<field::momentum>>(
+        s.body, momentum_alone<Slopes>{});
+    std::map<std::array<int, 3>, point<Dim, double>> sums;
+    each_node(box<Dim>(), [&](const auto& index) { sums[index] = point<Dim, double>::Zero(); });
+    for (const auto p : std::as_const(s.body))
+        each_near_node(s.lattice, s.functions, p,
+                       [&](const auto& node) { sums[node.index] += node.weight * p[m] * p[v]; });
+    double error = 0;
+    for (const auto& [index, sum] : sums)
+        for (int d = 0; d < Dim; ++d) error = std::max(error, std::abs(s.node(field::momentum{}, index, d) - sum[d]));
+    CHECK(error < 1e-12);
 }
 
 /// The quadratic splines without a pivot: every node's weight is used.
@@ -239,4 +270,13 @@ TEST_CASE("sweeps: to nodes and back, mass, first moments, linear functions and 
     transfers_are_complete<1, cubic_spline, lanes<2>>();
     transfers_are_complete<2, cubic_spline, lanes<2>>();
 #endif
+}
+
+TEST_CASE("sweeps: with and without slopes, sums of crowded cells are those of every weight one by one") {
+    sums_of_crowded_cells<2, cubic_spline, native_lanes, false>();
+    sums_of_crowded_cells<3, quadratic_spline, native_lanes, false>();
+    sums_of_crowded_cells<3, quadratic_spline, native_lanes, true>();
+    sums_of_crowded_cells<3, cubic_spline, native_lanes, false>();
+    sums_of_crowded_cells<3, linear, native_lanes, false>();
+    sums_of_crowded_cells<3, quadratic_spline, one_lane, false>();
 }
