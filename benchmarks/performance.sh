@@ -63,10 +63,9 @@ END
             step_3d) cat << 'END'
 
 What bounds it: arithmetic and its operands, and with eight lanes memory too, once the particles are beyond the caches. A
-particle takes 444 instructions, 1777 a slot of four (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`):
-arithmetic, loads that do not fold into it, shifts of rows, and what sixteen registers cannot hold. Bytes: 112 a particle
-and 56 a node (float: half). The step by hand keeps node fields in columns and all 21 sums of a row at once; sixteen
-registers spill them, and each row touches seven pages.
+particle takes 444 instructions (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`): arithmetic, loads that
+do not fold into it, shifts of rows, and what sixteen registers cannot hold. Bytes: 112 a particle and 56 a
+node (float: half).
 
 FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes. Its passes are run
 together, slab by slab: particles beyond the caches come from memory once a step, as in FLIP, and not for each term.
@@ -74,22 +73,16 @@ END
             ;;
             step_2d) cat << 'END'
 
-As in 3D; there are fewer particles for each node (4 to 1, not 8), so passes over nodes weigh more. FMPM(4) with linear
-functions assembles the mass matrix, so that a term is a pass over nodes and no sweep (docs/method.md). The step needs 72
-bytes a node instead of 40, with the assembled matrix 112 or more, and all fields of W nodes lie side by side: with four
-lanes a line of the cache has those of two fields, and each pass moves what it does not need.
+FMPM(4) with linear functions assembles the mass matrix, so that a term is a pass over nodes and no sweep
+(docs/method.md). The step needs 72 bytes a node instead of 40, with the assembled matrix 112 or more.
 END
             ;;
             crossing) cat << 'END'
 
 Most of it is not crossing itself. A tile has as many slots as its fullest lane, and particles that have wandered fill
-lanes unevenly: a step over slots is longer by the inverse of the occupancy, and the slots, with spare ones between them,
-take more of caches and memory. "Stopped" is the block at rest where it had drifted to; crossing, the mailbox and new
-tiles, is what is beyond it, as far as the mean occupancies agree. The step by hand has full tiles and nobody who
-crosses.
-Particles beyond what all lanes of a tile hold could be stepped apart, one lane wide: one of them takes what "one lane"
-says in 3D, a slot of W particles W times the step above it. That gains little: the emptiest slots have one or two. The
-worst case is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
+lanes unevenly: a step is longer by the inverse of the occupancy. "Stopped" is the block at rest where it had drifted to;
+crossing is what is beyond it. The step by hand has full tiles and nobody who crosses.
+The worst case is a jet of scattered single particles: one lane of each slot is in use, and a particle costs as much as W.
 END
             ;;
             memory) cat << 'END'
@@ -103,22 +96,18 @@ END
 
 Threads share the slabs of a body, each with its own run of them, about the one whose memory it was the first to write.
 Neighbours begin side by side or meet at their ends, and wait for each other there only; results are those of one thread,
-bit for bit. A body is cut into at most 128 slabs across its outermost axis (more where each still has 128 tiles), each of
-16 tiles and support - 1 cells or more, and a thread has two or more: 64 cells with quadratic splines are for 16 threads,
-256 for 64. On 64 cores a step is then bound by memory: n cores at T ns a particle ask for 224 n/T GB/s.
+bit for bit. On 64 cores a step is bound by memory: n cores at T ns a particle ask for 224 n/T GB/s.
 
 "Apart" is the gain of as many blocks of the same size as there are threads, each stepped by a thread of its own, all at
-the same time: they never wait for each other, but share what the machine has for all, memory above all. (They need more
-of a shared cache than one block does.) Where the gain comes near it, what is missing is not for threads to mend.
+the same time: they never wait for each other, but share the memory.
 
-Nanoseconds of the clock here, medians of nine. On a virtual machine the gain falls when the host lends the second
-processor to others; nanoseconds then rise too.
+Nanoseconds of the clock here, medians of nine.
 END
             ;;
             compile_time) cat << 'END'
 
 A program that includes everything, makes a body and steps it (`benchmarks/support/one_solver.cpp`): seconds of the clock, the
-median of three. A processor that others use as well takes up to twice as long.
+median of three.
 END
             ;;
         esac

@@ -3,10 +3,12 @@
 #include <tamis/tamis.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <optional>
+#include <thread>
 #include <vector>
 
 #include "block.hpp"
@@ -57,6 +59,30 @@ template <int Dim, class Scheme> void compare(const char* name, int n, const Sch
         std::printf("%8s\n", "-");
 }
 
+/// Wall time by all threads over that by one, while as many other threads as there are processors keep those busy.
+void compare_beside_others(const char* name, int n, int steps) {
+    const auto block = [&](int count) {
+        return elastic_block<2, double>(n, tamis::quadratic_spline{}, tamis::flip{}, tamis::threads{count});
+    };
+    const int most = tamis::threads{}.count();
+    auto alone = block(1), all = block(most);
+    std::atomic<bool> over{false};
+    std::vector<std::thread> others;
+    for (int k = 0; k < most; ++k)
+        others.emplace_back([&over] {
+            while (!over.load(std::memory_order_relaxed)) {
+            }
+        });
+    std::vector<double> ratio;
+    for (int round = 0; round < 10; ++round) {
+        const double one = nanoseconds(alone, steps);
+        ratio.push_back(nanoseconds(all, steps) / one);
+    }
+    over = true;
+    for (std::thread& one : others) one.join();
+    std::printf("%-34s %10.2f\n", name, median(ratio));
+}
+
 }  // namespace
 
 int main() {
@@ -69,4 +95,7 @@ int main() {
     compare<3>("3D/quadratic/flip/40 cells", 40, flip{});
     compare<3>("3D/quadratic/flip/64 cells", 64, flip{});
     compare<3>("3D/quadratic/fmpm(2)/40 cells", 40, fmpm<2>{});
+    std::puts("time by all threads over that by one, while others keep all processors busy");
+    compare_beside_others("2D/quadratic/flip/32 cells", 32, 1000);
+    compare_beside_others("2D/quadratic/flip/256 cells", 256, 20);
 }

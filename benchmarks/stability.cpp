@@ -1,5 +1,5 @@
 // Critical Courant numbers by composition, from the exact Jacobian of a step: the table that `integrate` uses.
-//     stability --header include/tamis/solver/critical_table.hpp     writes it (a minute)
+//     stability --header include/tamis/run/critical_table.hpp     writes it (a minute)
 //     stability [--csv FILE]     prints it for 2 particles per cell; all in FILE
 //     stability --dimensions     the numbers inside endless bodies, and of free squares and cubes with their edges and
 //                                corners (some minutes)
@@ -56,7 +56,7 @@ class rows {
 int thousandths(double number) { return static_cast<int>(number * 1000); }
 
 void write_header(std::ostream& out, const rows& of) {
-    out << "#pragma once\n#include <tamis/solver/critical_rows.hpp>\n\n"
+    out << "#pragma once\n#include <tamis/run/critical_rows.hpp>\n\n"
            "// Made by `stability --header FILE` (benchmarks/stability.cpp); do not change it by hand.\n"
            "// clang-format off\n\n"
            "namespace tamis::detail {\n\n"

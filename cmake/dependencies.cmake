@@ -35,16 +35,6 @@ function(tamis_need_eigen)
     endif()
 endfunction()
 
-# Sets `result` to the folder of the headers of xsimd, unless TAMIS_USE_XSIMD is off.
-function(tamis_fetch_xsimd result)
-    tamis_choice(wanted TAMIS_USE_XSIMD)
-    if(NOT wanted STREQUAL "OFF")
-        tamis_fetch_headers(tamis_fetched_xsimd xsimd https://github.com/xtensor-stack/xsimd.git 12.1.1 include)
-        get_target_property(folder tamis_fetched_xsimd INTERFACE_INCLUDE_DIRECTORIES)
-        set(${result} "${folder}" PARENT_SCOPE)
-    endif()
-endfunction()
-
 # Sets `major` to 2 or 3. Catch2 3 brings a compiled main in Catch2::Catch2WithMain; for Catch2 2 the tests compile one.
 function(tamis_need_catch2 major)
     find_package(Catch2 CONFIG QUIET)

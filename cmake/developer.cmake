@@ -15,6 +15,11 @@ if(TAMIS_NATIVE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_
     # GCC's own AVX-512 header reads variables before they are set, and callers get the warning (GCC bug 105593).
     target_compile_options(tamis_developer INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # By default GCC collects garbage each time that its heap has doubled: with a gigabyte it compiles in nine tenths of
+    # the time.
+    target_compile_options(tamis_developer INTERFACE --param=ggc-min-heapsize=1000000)
+endif()
 if(TAMIS_WERROR)
     target_compile_options(tamis_developer INTERFACE -Werror)
 endif()

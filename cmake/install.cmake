@@ -1,4 +1,4 @@
-# `cmake --install` and the package that find_package(tamis) reads. Eigen, xsimd and OpenMP are found again on the
+# `cmake --install` and the package that find_package(tamis) reads. Eigen and OpenMP are found again on the
 # user's machine (tamisConfig.cmake.in), so nothing of the builder's is exported.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)

@@ -1,10 +1,10 @@
 #!/bin/sh
 # sh cmake/setup.sh [package...]
-# On Debian and Ubuntu: installs the compiler, CMake, Eigen, xsimd and the packages named, as far as they are missing.
+# On Debian and Ubuntu: installs the compiler, CMake, Eigen and the packages named, as far as they are missing.
 # On other systems it installs nothing.
 set -eu
 
-wanted="g++ cmake ninja-build libeigen3-dev libxsimd-dev $*"
+wanted="g++ cmake ninja-build libeigen3-dev $*"
 
 if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
     echo "This is not a Debian or Ubuntu system: nothing is installed. A C++20 compiler, CMake 3.22 or newer and git" \

@@ -1,6 +1,7 @@
 // A manufactured solution of finite strain in 2D or 3D: a neo-Hookean block is pushed such that its motion is known
 // (support/manufactured.hpp, docs/manufactured.md). Errors at the end, and the order in which they fall.
 //     manufactured --dim 3 --cells 8,16,32
+#include "support/ranges.hpp"
 #include "support/manufactured.hpp"
 
 #include <CLI/CLI.hpp>
@@ -16,19 +17,19 @@ int main(int argc, char** argv) {
     std::vector<int> cells{8, 16, 32};
     std::string summary;
     CLI::App app{"A neo-Hookean block with a manufactured solution: errors and their order."};
-    app.add_option("--dim", o.dim, "Dimension")->check(CLI::Range(2, 3));
+    app.add_option("--dim", o.dim, "Dimension")->check(whole_from(2, 3));
     app.add_option("--cells", cells, "Cells along an axis, several by commas")
         ->delimiter(',')
-        ->check(CLI::Range(4, 4096));
-    app.add_option("--per-cell", o.per_cell, "Particles per cell and axis")->check(CLI::Range(1, 10));
+        ->check(whole_from(4, 4096));
+    app.add_option("--per-cell", o.per_cell, "Particles per cell and axis")->check(whole_from(1, 10));
     app.add_option("--shape", o.shape, "Shape functions: linear, ugimp, cpgimp, quadratic, cubic");
     app.add_option("--update", o.update, "Particle update: flip, xpic, fmpm");
-    app.add_option("--order", o.order, "Terms k of xpic and fmpm")->check(CLI::Range(1, 1000));
+    app.add_option("--order", o.order, "Terms k of xpic and fmpm")->check(whole_from(1, 1000));
     app.add_option("--stress", o.stress, "Stress order: usl-, usavg-, euler");
-    app.add_option("--courant", o.courant, "Courant number")->check(CLI::Range(1e-6, 1.));
-    app.add_option("--amplitude", o.amplitude, "Amplitude A (m)")->check(CLI::Range(1e-9, 0.25));
+    app.add_option("--courant", o.courant, "Courant number")->check(number_from(1e-6, 1));
+    app.add_option("--amplitude", o.amplitude, "Amplitude A (m)")->check(number_from(1e-9, 0.25));
     app.add_option("--poisson", o.poisson, "Poisson's ratio");
-    app.add_option("--time", o.time, "End time (s); a period is 2 s")->check(CLI::Range(1e-6, 1000.));
+    app.add_option("--time", o.time, "End time (s); a period is 2 s")->check(number_from(1e-6, 1000));
     app.add_option("--summary", summary, "Write all numbers to this file, JSON");
     CLI11_PARSE(app, argc, argv);
     try {

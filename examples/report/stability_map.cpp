@@ -1,6 +1,6 @@
 #include "stability_map.hpp"
 
-#include <tamis/solver/critical_courant.hpp>
+#include <tamis/run/critical_courant.hpp>
 #include <tamis/stability/critical.hpp>
 #include <tamis/tamis.hpp>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-/// A composition's critical Courant numbers as they are shipped (tamis/solver/critical_table.hpp).
+/// A composition's critical Courant numbers as they are shipped (tamis/run/critical_table.hpp).
 struct map_row {
     std::string shape, stress, update;
     /// Of xpic and fmpm, else 0.

@@ -3,7 +3,7 @@
 #include <tamis/shape/cubic_spline.hpp>
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
-#include <tamis/solver/motion.hpp>
+#include <tamis/motion/motion.hpp>
 
 #include "compositions/left_out.hpp"
 #include "require.hpp"

@@ -18,6 +18,7 @@ void run(const bar_scene& scene, const bar_options& o) {
         throw bad_option(std::string("--summary: ") + e.what());
     }
     const bar_result result = run_bar(scene, o);
+    check_measures(scene, o, result);
     print_table(std::cout, scene, o, result);
     if (summary) {
         summary->out() << summary_of(scene, o, result);

@@ -1,4 +1,5 @@
 #pragma once
+#include "ranges.hpp"
 #include "galerkin.hpp"
 
 #include <tamis/observe/atomic_file.hpp>
@@ -20,18 +21,18 @@ struct outputs {
 
 inline void add_options(CLI::App& app, galerkin_options& o, outputs& files, const std::vector<std::string>& profiles) {
     app.option_defaults()->always_capture_default();
-    app.add_option("--cells", o.cells, "Cells of the grid")->check(CLI::Range(4, 1048576));
-    app.add_option("--per-cell", o.per_cell, "Particles per cell")->check(CLI::Range(1, 1000));
+    app.add_option("--cells", o.cells, "Cells of the grid")->check(whole_from(4, 1048576));
+    app.add_option("--per-cell", o.per_cell, "Particles per cell")->check(whole_from(1, 1000));
     app.add_option("--shape", o.shape, "Shape functions")->check(CLI::IsMember({"linear", "quadratic", "cubic"}));
     app.add_option("--mass", o.mass, "Mass matrix")->check(CLI::IsMember({"lumped", "fmpm"}));
-    app.add_option("--order", o.order, "Terms k of fmpm")->check(CLI::Range(1, 1000));
+    app.add_option("--order", o.order, "Terms k of fmpm")->check(whole_from(1, 1000));
     app.add_option("--profile", o.profile, "Initial state")->check(CLI::IsMember(profiles));
-    auto* steps = app.add_option("--steps", o.steps, "Number of steps, dt = T/N")->check(CLI::Range(1L, 10000000000L));
+    auto* steps = app.add_option("--steps", o.steps, "Number of steps, dt = T/N")->check(whole_from(1, 10000000000));
     steps->default_str("from --courant");
     app.add_option("--courant", o.courant, "c dt/h, rounded down so that T is a whole number of steps")
-        ->check(CLI::Range(1e-6, 1.))
+        ->check(number_from(1e-6, 1))
         ->excludes(steps);
-    app.add_option("--time", o.time, "End time T (s)")->check(CLI::Range(1e-9, 1e6));
+    app.add_option("--time", o.time, "End time T (s)")->check(number_from(1e-9, 1e6));
     app.add_option("--csv", files.csv, "File for the particles and the exact answer");
     app.add_option("--summary", files.summary, "File for the results, JSON");
 }

@@ -6,7 +6,7 @@
 
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
-#include <tamis/solver/motion.hpp>
+#include <tamis/motion/motion.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "options.hpp"
+#include "ranges.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -34,30 +35,19 @@ CLI::Validator positive(double most = 1e300) {
             },
             "", "positive"};
 }
-/// A whole number, least <= n <= most.
-CLI::Validator whole(long least, long most) {
-    return {[least, most](std::string& given) {
-                long value = 0;
-                if (!CLI::detail::lexical_cast(given, value)) return "'" + given + "' is not a whole number";
-                if (value < least || value > most)
-                    return given + " is not between " + std::to_string(least) + " and " + std::to_string(most);
-                return std::string();
-            },
-            "", "whole"};
-}
 
 }  // namespace
 
 bool read_options(bar_options& o, const bar_scene& scene, int argc, const char* const* argv) {
     CLI::App app(scene.about, scene.name);
     app.option_defaults()->always_capture_default();
-    app.add_option("--cells", o.cells, "Cells of the grid along the bar")->check(whole(1, 1048576));
-    app.add_option("--per-cell", o.per_cell, "Particles per cell")->check(whole(1, 1000));
+    app.add_option("--cells", o.cells, "Cells of the grid along the bar")->check(whole_from(1, 1048576));
+    app.add_option("--per-cell", o.per_cell, "Particles per cell")->check(whole_from(1, 1000));
     app.add_option("--shape", o.shape, "Shape functions")->check(one_of({"linear", "quadratic", "cubic"}));
     app.add_option("--update", o.update, "Particle update")->check(one_of({"pic", "flip", "blend", "xpic", "fmpm"}));
     app.add_option("--order", o.order, "Terms k of xpic and fmpm; the other updates have no order")
-        ->check(whole(1, 1000));
-    app.add_option("--alpha", o.alpha, "Share of FLIP in a blend, 0 to 1")->check(CLI::Range(0.0, 1.0));
+        ->check(whole_from(1, 1000));
+    app.add_option("--alpha", o.alpha, "Share of FLIP in a blend, 0 to 1")->check(number_from(0, 1));
     app.add_option("--stress", o.stress, "When the particles are strained")
         ->check(one_of({"usf", "usl-", "usl+", "usavg-", "usavg+", "euler"}));
     app.add_option("--boundary", o.boundary, "How conditions enter the full mass matrix of fmpm")
@@ -65,8 +55,8 @@ bool read_options(bar_options& o, const bar_scene& scene, int argc, const char* 
             {"incremental", "lumped", "velocity", "combined", "unlumped1", "unlumped2", "partial", "collected"}));
     app.add_option("--particles", o.particles, "Do particles move with the material?")
         ->check(one_of({"moving", "held"}));
-    auto* steps =
-        app.add_option("--steps", o.steps, "Number of steps, dt = T/N")->check(whole(1, static_cast<long>(most_steps)));
+    auto* steps = app.add_option("--steps", o.steps, "Number of steps, dt = T/N")
+                      ->check(whole_from(1, static_cast<long>(most_steps)));
     steps->default_str("from --courant");
     auto* courant = app.add_option("--courant", o.courant, "c dt/h, rounded down so that T is a whole number of steps");
     courant->check(positive(1))->excludes(steps);
@@ -75,9 +65,9 @@ bool read_options(bar_options& o, const bar_scene& scene, int argc, const char* 
     app.add_option("--csv", o.csv, "Folder for tables of particles, nodes and energies");
     app.add_option("--dump", o.dump, "File for all values of all nodes and particles, for debugging");
     auto* every = app.add_option("--every", o.every, "Steps between two records of --csv and --dump");
-    every->check(whole(1, static_cast<long>(most_steps)))->default_str("about 20 records");
+    every->check(whole_from(1, static_cast<long>(most_steps)))->default_str("about 20 records");
     app.add_option("--summary", o.summary, "File for the results, JSON");
-    app.add_option("--threads", o.threads, "Threads; 0 and 1: serial")->check(whole(0, 1024));
+    app.add_option("--threads", o.threads, "Threads; 1: serial")->check(whole_from(1, 1024));
     app.add_option("--precision", o.precision, "Numbers")->check(one_of({"float", "double"}));
     try {
         app.parse(argc, argv);
@@ -98,6 +88,11 @@ bool read_options(bar_options& o, const bar_scene& scene, int argc, const char* 
         throw bad_option("two of --csv, --dump and --summary have the same name; give each one of its own");
     if (o.boundary != "incremental" && o.update != "fmpm")
         throw bad_option("--boundary: methods differ for a full mass matrix only; give --update fmpm, or leave it out");
+    // Energies go with its square.
+    const double least = o.precision == "float" ? 1e-15 : 1e-150;
+    if (o.amplitude < least)
+        throw bad_option("--amplitude: " + CLI::detail::to_string(o.amplitude) + " is too small for numbers in " +
+                         o.precision + "; give at least " + CLI::detail::to_string(least));
     const double needed = o.time * bar_scene::wave_speed * o.cells / (o.courant * bar_scene::length);
     if (o.steps == 0 && !(needed <= most_steps))
         throw bad_option("--courant, --time: they ask for " + CLI::detail::to_string(needed) +

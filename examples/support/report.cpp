@@ -1,7 +1,10 @@
 #include "report.hpp"
 
+#include <tamis/core/error.hpp>
+
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <ostream>
 
@@ -15,7 +18,28 @@ double energy_error(const bar_scene& scene, const bar_options& o, const bar_resu
     return (r.energy.back().total() - right) / right;
 }
 
+/// A number of the result, or an error that says why it is none.
+double measured(double value, const char* what, const char* why) {
+    if (std::isfinite(value)) return value;
+    throw tamis::error(std::string(what) + " cannot be measured: " + why);
+}
+double front_speed_of(const bar_result& r) {
+    return measured(front_speed(r.fronts) / bar_scene::wave_speed, "the speed of the fronts",
+                    "they took no form, or no way; give more cells, or a longer --time");
+}
+
 }  // namespace
+
+void check_measures(const bar_scene& scene, const bar_options& o, const bar_result& r) {
+    const char* const grown =
+        "the run's velocities or strains became too large; give a smaller --courant or --amplitude";
+    const auto errors = errors_of(scene, o, r);
+    for (const double error : {errors.velocity_l2, errors.velocity_max, errors.strain_l2, errors.strain_max})
+        measured(error, "the error", grown);
+    measured(energy_error(scene, o, r), "the energy's error", grown);
+    measured(r.energy.back().boundary_work, "the work of the ends", grown);
+    if (scene.fronts) front_speed_of(r);
+}
 
 std::string summary_of(const bar_scene& scene, const bar_options& o, const bar_result& r) {
     const auto errors = errors_of(scene, o, r);
@@ -54,7 +78,7 @@ std::string summary_of(const bar_scene& scene, const bar_options& o, const bar_r
     all["mass"] = r.mass;
     all["momentum"] = r.momentum;
     if (scene.fronts) {
-        all["front_speed_over_c"] = front_speed(r.fronts) / bar_scene::wave_speed;
+        all["front_speed_over_c"] = front_speed_of(r);
         all["overshoot"] = overshoot(o.time, r.particles, o.amplitude);
     }
     return all.dump(2) + "\n";
@@ -84,7 +108,7 @@ void print_table(std::ostream& out, const bar_scene& scene, const bar_options& o
          energy_error(scene, o, r));
     line("work of the ends", "%.6e J", r.energy.back().boundary_work);
     if (scene.fronts) {
-        line("front speed", "%.5f c", front_speed(r.fronts) / bar_scene::wave_speed);
+        line("front speed", "%.5f c", front_speed_of(r));
         line("overshoot", "%.1f %% of the plateau", 100 * overshoot(o.time, r.particles, o.amplitude));
     }
     line("run time", "%.3g s, %.3g ns per particle and step", r.wall_seconds, ns_per_particle_step(r));

@@ -1,4 +1,5 @@
 #pragma once
+#include "ranges.hpp"
 #include "require.hpp"
 
 #include <tamis/observe/atomic_file.hpp>
@@ -33,8 +34,8 @@ template <class F> int run_program(const char* name, F f) {
 template <class Options> void add_composition(CLI::App& app, Options& o) {
     app.add_option("--shape", o.shape, "Shape functions: linear, quadratic, ...");
     app.add_option("--update", o.update, "Particle update: pic, flip, blend, xpic or fmpm");
-    app.add_option("--order", o.order, "Terms k of xpic and fmpm")->check(CLI::Range(1, 1000));
-    app.add_option("--alpha", o.alpha, "Share of FLIP in a blend, 0 to 1")->check(CLI::Range(0., 1.));
+    app.add_option("--order", o.order, "Terms k of xpic and fmpm")->check(whole_from(1, 1000));
+    app.add_option("--alpha", o.alpha, "Share of FLIP in a blend, 0 to 1")->check(number_from(0, 1));
     app.add_option("--stress", o.stress, "When the particles are strained: usf, usl-, usl+, usavg-, ...");
     app.add_option("--csv", o.csv, "File for the particles at the end and the exact answer");
     app.add_option("--summary", o.summary, "File for the results, JSON");

@@ -56,7 +56,7 @@ template <class Scheme> slide run(const slope& on, double mu, const Scheme& sche
                     grid_damping{[](double t) { return t < 0 ? 40. : 0.; }}};
     const fixed bed{[&](const auto& at) { return (at - on.start).dot(on.up) < -0.25; }};
     solver mpm{uniform_grid{{0., 0.}, {2.6, 2.2}, side}, scheme, all, bed,
-               contact{coulomb{mu}, given_normal{(-on.up).eval()}}};
+               contact{coulomb{mu}, given_normal{(-on.up).eval()}, by_approach{}}};
     const linear_elastic law{.young = 1e4, .poisson = 0.3, .density = 1};
     const double volume = side * side / 4;
     auto block = mpm.make_body_at(law, on.fill(0, length, 0, height), volume);

@@ -112,7 +112,6 @@ TEST_CASE("every option is taken") {
     for (const std::string precision : {"float", "double"})
         CHECK(with("--particles held --precision " + precision)["precision"] == precision);
     CHECK(with("--amplitude 0.002")["amplitude"] == 0.002);
-    CHECK(with("--threads 0")["threads"] == 1);
     CHECK(with("--threads 1")["threads"] == 1);
 }
 
@@ -191,6 +190,12 @@ TEST_CASE("bad options get one line and exit code 2, and leave nothing") {
                                                                      "--every 0",
                                                                      "--every -2",
                                                                      "--threads -1",
+                                                                     "--threads 0",
+                                                                     "--cells 010",
+                                                                     "--cells 0x10",
+                                                                     "--alpha nan",
+                                                                     "--amplitude 1e-300",
+                                                                     "--amplitude 1e-30 --precision float",
                                                                      "--precision half",
                                                                      "--steps 100 --courant 0.1",
                                                                      "--courant 1e-12",
@@ -303,4 +308,16 @@ TEST_CASE("a dump has every recorded step") {
     CHECK(steps == 3);
     CHECK(nodes == 3 * 11);
     CHECK(particles == 3 * 20 * 2);
+}
+
+TEST_CASE("what cannot be measured is said, and no number is made up") {
+    const scratch_folder folder("options_short");
+    const auto run =
+        run_program(folder, "shock", "--cells 5 --per-cell 2 --time 0.01 --summary " + (folder / "all.json").string());
+    CAPTURE(run.out, run.err);
+    CHECK(run.code == 1);
+    CHECK(run.out.find("nan") == std::string::npos);
+    CHECK(lines_in(run.err) == 1);
+    CHECK(run.err.find("the speed of the fronts cannot be measured") != std::string::npos);
+    CHECK(folder.names().empty());
 }

@@ -13,7 +13,7 @@ endfunction()
 file(REMOVE_RECURSE ${FOLDER})
 set(options -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${FOLDER}/prefix)
 if(VARIANT STREQUAL "eigen_alone")
-    list(APPEND options -DTAMIS_USE_XSIMD=OFF -DTAMIS_USE_OPENMP=OFF -DEIGEN_ALONE=ON)
+    list(APPEND options -DCMAKE_CXX_FLAGS=-DTAMIS_VECTORS=0 -DTAMIS_USE_OPENMP=OFF -DEIGEN_ALONE=ON)
 endif()
 if(NOT EIGEN)
     # Eigen was fetched, not installed: the consumer is given the same headers as a package.

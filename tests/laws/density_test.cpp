@@ -1,10 +1,10 @@
 // The density of particles by strain increments, rho' = rho/(1 + tr d_eps) (Molinos 2019, with USF; docs/method.md,
-// Density), in a body that is stretched uniformly: all nodes follow v_d = a_d x_d/(1 + a_d t), so a particle of place
-// X is at X (1 + a_d t) and has the density rho0/prod_d (1 + a_d t).
+// Strain and laws), in a body that is stretched uniformly: all nodes follow v_d = a_d x_d/(1 + a_d t), so a particle of
+// place X is at X (1 + a_d t) and has the density rho0/prod_d (1 + a_d t).
 #include <tamis/boundary/conditions.hpp>
 #include <tamis/material/linear_elastic.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
-#include <tamis/solver/integrate.hpp>
+#include <tamis/run/integrate.hpp>
 
 #include "catch.hpp"
 

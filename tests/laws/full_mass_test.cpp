@@ -1,6 +1,6 @@
 // What the full mass matrix's variants have in common: adaptive, periodic and exact ones, and the boundary methods.
 #include <tamis/tamis.hpp>
-#include <tamis/transfer/exact.hpp>
+#include <tamis/mass/exact.hpp>
 
 #include <cmath>
 #include <string>
@@ -179,7 +179,7 @@ TEST_CASE("full mass: entries of the matrix are kept where they pay, and nowhere
     const auto keeps = []<int D, class... Policy>(const uniform_grid<D, double>&, const Policy&...) {
         using C = detail::composition<uniform_grid<D, double>, Policy...>;
         using kept = field::mass_entries<C::shape::support>;
-        return stores<typename C::node_fields, kept>;
+        return stores<typename detail::schedule_of<C>::layout, kept>;
     };
     const uniform_grid<1, double> line{{0.}, {1.}, 0.1};
     const uniform_grid<2, double> square{{0., 0.}, {1., 1.}, 0.1};
@@ -217,7 +217,8 @@ TEST_CASE("full mass: every boundary method tells the reaction that balances mom
 }
 
 TEST_CASE("full mass: columns of the inverse, and the acceleration that it gives") {
-    solver mpm{uniform_grid{{0.}, {1.}, 0.1}, linear{}, fmpm<40>{}, read_out<field::full_acceleration>{}};
+    solver mpm{uniform_grid{{0.}, {1.}, 0.1}, linear{}, fmpm<40>{},
+               read_out<field::full_acceleration, field::acceleration>{}};
     auto bar = mpm.make_body(law, everywhere, per_cell{3});
     set_velocity_of(bar, [](const auto& at) { return 0.01 * std::sin(2 * pi * at[0]); });
     mpm.step(bodies(bar), 0.02);

@@ -60,13 +60,7 @@ template <class Snapshot> double difference(const Snapshot& a, const Snapshot& b
 }
 
 /// Whether the target has vectors of W doubles.
-template <int W> constexpr bool available() {
-#if TAMIS_XSIMD
-    return !std::is_void_v<xsimd::make_sized_batch_t<double, std::size_t{W}>>;
-#else
-    return false;
-#endif
-}
+template <int W> constexpr bool available() { return W * int{sizeof(double)} <= TAMIS_VECTOR_BYTES; }
 
 template <int D, int... W, class... Policy> void same_in_any_lanes(std::integer_sequence<int, W...>, Policy... policy) {
     const auto one_by_one = run_in<D>(one_lane{}, policy...);

@@ -10,7 +10,8 @@ namespace {
 /// Bars of many cells with a gap between them, which swing and go to other cells; two slabs at least, with up to eight
 /// lanes.
 template <class Execution, class Lanes, class... Policies> struct bars {
-    using solver_type = solver<uniform_grid<1, double>, walls<1>, Execution, Lanes, Policies...>;
+    using solver_type =
+        solver<uniform_grid<1, double>, walls<1>, Execution, Lanes, read_out<field::velocity>, Policies...>;
     solver_type mpm;
     static auto make_bar(const solver_type& of, double speed) {
         auto bar =
@@ -27,7 +28,7 @@ template <class Execution, class Lanes, class... Policies> struct bars {
         : mpm(box<1>({880}),
               walls<1>{[](const auto& at) { return at[0] < 0 || at[0] > 199; },
                        [](const auto&, double t) { return place<1>(0.1 * std::sin(3 * t)); }},
-              run, lanes_of, policies...),
+              run, lanes_of, read_out<field::velocity>{}, policies...),
           bar(make_bar(mpm, speed)) {}
 };
 template <class Execution, class Lanes, class... Policies> bars(double, Execution, Lanes, Policies...)

@@ -4,7 +4,7 @@
 #include <tamis/observe/measure.hpp>
 #include <tamis/shape/cubic_spline.hpp>
 #include <tamis/shape/linear.hpp>
-#include <tamis/solver/integrate.hpp>
+#include <tamis/run/integrate.hpp>
 
 #include "catch.hpp"
 

@@ -12,7 +12,7 @@
 
 namespace reference {
 
-enum class update_kind { pic, flip, blend, graphics_blend, xpic, fmpm };
+enum class update_kind { pic, flip, blend, graphics_blend, xpic, fmpm, apic, tpic, affine_flip };
 enum class stress_order { usf, usl_minus, usl_plus, usavg_minus, usavg_plus, euler };
 enum class motion { moving, held };
 enum class law_kind { linear_elastic, neo_hookean };
@@ -35,6 +35,9 @@ struct update {
 
 inline update pic() { return {.kind = update_kind::pic}; }
 inline update flip(double psi = 0) { return {.kind = update_kind::flip, .psi = psi}; }
+inline update apic() { return {.kind = update_kind::apic}; }
+inline update tpic() { return {.kind = update_kind::tpic}; }
+inline update affine_flip() { return {.kind = update_kind::affine_flip}; }
 inline update blend(double alpha) { return {.kind = update_kind::blend, .alpha = alpha}; }
 inline update graphics_blend(double alpha) { return {.kind = update_kind::graphics_blend, .alpha = alpha}; }
 /// The series without a term, k = 0, is FLIP(1): V' = V + S a dt, X' = X + (S m^-1 p + S a dt/2) dt.
@@ -155,8 +158,9 @@ struct state {
     std::vector<Eigen::MatrixXd> stress;
     std::vector<Eigen::MatrixXd> deformation;
     Eigen::VectorXd half_width;
-    int steps = 0;             ///< done so far
-    double feedback_rate = 0;  ///< of the damping that follows the kinetic energy (1/s)
+    int steps = 0;                             ///< done so far
+    double feedback_rate = 0;                  ///< of the damping that follows the kinetic energy (1/s)
+    std::vector<Eigen::MatrixXd> affine = {};  ///< slopes C of the velocities that particles carry (1/s); none is zero
 
     Eigen::Index size() const { return x.rows(); }
 };

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include "affine.hpp"
 #include "basis.hpp"
 #include "boundary.hpp"
 #include "held.hpp"
@@ -55,6 +56,7 @@ struct step_result {
 ///     FLIP       V' = V + S a dt               sum P+ - P0 - f dt                         = d1
 ///     blend      V' = alpha V + S (v+ - alpha v0)
 ///                                              sum P+ - alpha P0 - (1 - alpha) P - f dt   = (1 - alpha) d0 + d1
+///     APIC, TPIC as PIC, and FLIP with affine spreading as FLIP: sum_i P_i has sum_p M C sum_i w (x_i - X) = 0 besides
 ///     XPIC(k)    V' = S v0(k) + S a dt         sum P0 + d2 + (P+ - P0) - P - f dt         = d0 + d1 + d2
 ///     FMPM(k)    V' = S v+(k)                  sum P+ + d2 - P - f dt                     = d0 + d1 + d2
 /// with d2 from the sum that is handed to the particles. Divided by dt, node by node, these are the reactions.
@@ -86,7 +88,7 @@ inline step_result advance(const scene& set, state& body, double t, double dt) {
         return velocity_under_conditions(set.boundary_method, momentum, time, k, shapes, held);
     };
 
-    const Eigen::MatrixXd P = S.transpose() * (body.mass.asDiagonal() * body.v);
+    const Eigen::MatrixXd P = nodal_momentum(set, body, shapes, body.v);
     const Eigen::MatrixXd v_free = shapes.inverse_mass.asDiagonal() * P;
     const Eigen::MatrixXd v_start = held.imposed(v_free, time_of_start);
 
@@ -112,11 +114,14 @@ inline step_result advance(const scene& set, state& body, double t, double dt) {
     result.velocity = v_end;
     switch (kind) {
         case update_kind::pic:
+        case update_kind::apic:
+        case update_kind::tpic:
             V_new = S * v_end;
             X_new = body.x + S * v_end * dt;
             impulse = d0 + d1;
             break;
         case update_kind::flip:
+        case update_kind::affine_flip:
             V_new = V + S * a * dt;
             X_new = body.x + (S * v_end - set.update.psi / 2 * (S * a) * dt) * dt;
             impulse = d1;
@@ -149,9 +154,10 @@ inline step_result advance(const scene& set, state& body, double t, double dt) {
         }
     }
 
+    if (is_affine(set.update)) body.affine = affine_slopes(set, body, shapes, v_end);
     if (order != stress_order::usf && !euler) {
         Eigen::MatrixXd v = result.velocity;
-        if (again) v = velocity(S.transpose() * (body.mass.asDiagonal() * V_new), time_of_end, k_strain).v;
+        if (again) v = velocity(nodal_momentum(set, body, shapes, V_new), time_of_end, k_strain).v;
         strain_particles(set, body, shapes, v, half_and_half ? dt / 2 : dt);
     }
 

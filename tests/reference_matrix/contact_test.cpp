@@ -159,7 +159,8 @@ void check_terms(const Contact& policy, const reference::contact_rule& rule) {
 }  // namespace
 
 TEST_CASE("contact: fmpm with Coulomb friction agrees with the reference", "[reference_matrix]") {
-    check_terms<quadratic_spline, usl_minus>(contact{coulomb{0.3}}, {.law = contact_law::coulomb, .mu = 0.3});
+    check_terms<quadratic_spline, usl_minus>(contact{coulomb{0.3}, normal_by_mass{}, by_approach{}},
+                                             {.law = contact_law::coulomb, .mu = 0.3});
     check_terms<linear, usavg_minus>(contact{coulomb{0.4}, given_normal{slanted}, by_separation{0.8}},
                                      {.law = contact_law::coulomb, .mu = 0.4, .normal = slanted, .cells = 0.8});
     check_terms<quadratic_spline, usl_plus>(contact{coulomb{0.3}, normal_by_mass{}, by_separation{0.9}},
@@ -167,9 +168,10 @@ TEST_CASE("contact: fmpm with Coulomb friction agrees with the reference", "[ref
 }
 
 TEST_CASE("contact: fmpm without friction agrees with the reference", "[reference_matrix]") {
-    check_terms<linear, usl_minus>(contact{frictionless{}, given_normal{slanted}},
+    check_terms<linear, usl_minus>(contact{frictionless{}, given_normal{slanted}, by_approach{}},
                                    {.law = contact_law::frictionless, .normal = slanted});
-    check_terms<quadratic_spline, usavg_minus>(contact{frictionless{}}, {.law = contact_law::frictionless});
+    check_terms<quadratic_spline, usavg_minus>(contact{frictionless{}, normal_by_mass{}, by_approach{}},
+                                               {.law = contact_law::frictionless});
 }
 
 TEST_CASE("contact: fmpm of bonded bodies agrees with the reference", "[reference_matrix]") {
@@ -192,8 +194,8 @@ TEST_CASE("contact: fmpm with contact after the series agrees with the reference
 }
 
 TEST_CASE("contact: xpic with contact on p+ and on the increments agrees with the reference", "[reference_matrix]") {
-    check_terms<quadratic_spline, usavg_minus, xpic<tamis::dynamic>>(contact{coulomb{0.3}},
-                                                                     {.law = contact_law::coulomb, .mu = 0.3});
+    check_terms<quadratic_spline, usavg_minus, xpic<tamis::dynamic>>(
+        contact{coulomb{0.3}, normal_by_mass{}, by_approach{}}, {.law = contact_law::coulomb, .mu = 0.3});
 }
 
 TEST_CASE("contact: the law asked about every partial sum agrees with the reference", "[reference_matrix]") {
@@ -214,9 +216,10 @@ TEST_CASE("contact: what contact changed at the start filtered out agrees with t
 TEST_CASE("contact: flip agrees with the reference", "[reference_matrix]") {
     const reference::update same = reference::flip();
     check<quadratic_spline, usl_minus>(flip{}, same, contact{bonded{}}, {.law = contact_law::bonded});
-    check<linear, usl_minus>(flip{}, same, contact{coulomb{0.3}}, {.law = contact_law::coulomb, .mu = 0.3});
+    check<linear, usl_minus>(flip{}, same, contact{coulomb{0.3}, normal_by_mass{}, by_approach{}},
+                             {.law = contact_law::coulomb, .mu = 0.3});
     check<quadratic_spline, usavg_minus>(flip{}, same, contact{frictionless{}, normal_by_mass{}, by_separation{0.8}},
                                          {.law = contact_law::frictionless, .cells = 0.8});
-    check<quadratic_spline, usl_plus>(flip{}, same, contact{coulomb{0.4}, given_normal{slanted}},
+    check<quadratic_spline, usl_plus>(flip{}, same, contact{coulomb{0.4}, given_normal{slanted}, by_approach{}},
                                       {.law = contact_law::coulomb, .mu = 0.4, .normal = slanted});
 }

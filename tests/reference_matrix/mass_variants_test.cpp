@@ -1,5 +1,5 @@
 // The full mass matrix solved exactly, in some steps only, and with a look at its last term, in the scenes of bar.hpp.
-#include <tamis/transfer/exact.hpp>
+#include <tamis/mass/exact.hpp>
 
 #include <algorithm>
 #include <cmath>

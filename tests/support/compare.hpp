@@ -30,6 +30,9 @@ inline reference::shape_kind same(tamis::cubic_spline) { return reference::shape
 
 inline reference::update same(const tamis::pic&) { return reference::pic(); }
 inline reference::update same(const tamis::flip&) { return reference::flip(); }
+inline reference::update same(const tamis::apic&) { return reference::apic(); }
+inline reference::update same(const tamis::tpic&) { return reference::tpic(); }
+inline reference::update same(const tamis::affine_flip&) { return reference::affine_flip(); }
 inline reference::update same(const tamis::modified_flip& by) { return reference::flip(by.particle.psi); }
 inline reference::update same(const tamis::blend& by) { return reference::blend(by.particle.alpha); }
 inline reference::update same(const tamis::graphics_blend& by) { return reference::graphics_blend(by.particle.alpha); }

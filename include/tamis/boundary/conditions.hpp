@@ -24,6 +24,15 @@ struct unbounded {
     auto velocity(const auto& at, auto) const { return (at * 0).eval(); }
 };
 
+namespace detail {
+
+/// Is it a vector, and so no region?
+template <class Region> inline constexpr bool is_direction = std::is_arithmetic_v<Region> || requires {
+    Region::SizeAtCompileTime;
+};
+
+}  // namespace detail
+
 /// Every place.
 inline constexpr auto everywhere = [](const auto&) { return true; };
 
@@ -37,7 +46,11 @@ template <class Region> fixed(Region) -> fixed<Region>;
 
 /// Nodes of a region do not move along `direction` (a unit vector); the rest is free.
 template <class Region, class Direction> struct slip {
+    static_assert(!detail::is_direction<Region>,
+                  "tamis: slip{region, direction} has its arguments exchanged; give the region, a function of the "
+                  "place, first and the unit vector after it");
     Region region;
+    /// The direction that is held, a unit vector.
     Direction direction;
     bool holds(const auto& at) const { return region(at); }
     auto velocity(const auto& at, auto) const { return (at * 0).eval(); }
@@ -51,8 +64,14 @@ struct all_directions {};
 /// Nodes of a region move with a given velocity(at, t), or take its part along `direction` (a unit vector) and are free
 /// across.
 template <class Region, class Velocity, class Direction = all_directions> struct prescribed {
+    static_assert(
+        !detail::is_direction<Region> && !detail::is_direction<Velocity>,
+        "tamis: prescribed{region, velocity, direction} has its arguments in another order, or a plain vector "
+        "for the velocity; give functions region(at) and velocity(at, t) first, then the unit vector");
     Region region;
+    /// Velocity (m/s) at a place (m) and time (s).
     Velocity value;
+    /// The only direction that is held, a unit vector; if it is left out, all are.
     [[no_unique_address]] Direction direction{};
     bool holds(const auto& at) const { return region(at); }
     auto velocity(const auto& at, auto t) const { return value(at, t); }
@@ -64,7 +83,9 @@ template <class Region, class Velocity, class Direction> prescribed(Region, Velo
 
 /// Several conditions at once; at a node they must hold different directions, or agree.
 template <class... Condition> struct conditions {
+    /// The conditions.
     std::tuple<Condition...> all;
+    /// Of one condition or more.
     constexpr explicit conditions(Condition... each) : all(std::move(each)...) {}
 };
 template <class... Condition> conditions(Condition...) -> conditions<Condition...>;

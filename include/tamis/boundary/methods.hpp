@@ -68,7 +68,9 @@ struct collected : detail::fixed_method<detail::held_by::collected> {};
 /// One of these, by its name, chosen at run time. Throws `error` if there is none of that name.
 struct chosen {
     static constexpr std::string_view name = "chosen";
+    /// What the name stands for.
     detail::held_by how;
+    /// By name, "incremental", "lumped", ...; throws `error` for a name that is none.
     explicit chosen(std::string_view method) : how(named(method)) {}
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
 #include <tamis/conservation/taylor_galerkin.hpp>
-#include <tamis/solver/integrate.hpp>
+#include <tamis/run/integrate.hpp>
 
 namespace tamis {
 
@@ -23,7 +23,9 @@ long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, fixed_steps s
                                          dt * limit / number));
     };
     const auto step = [&](double dt, double end) { scheme.step(real(dt), end); };
-    return detail::in_equal_steps(span, steps.count, 100, look, step, observers...);
+    const long done = detail::in_equal_steps(span, steps.count, 100, look, step, observers...);
+    (detail::commit_own<Observer>(observers), ...);
+    return done;
 }
 
 /// The same with equal steps of the Courant number that the start has, at most.
@@ -42,7 +44,7 @@ long integrate(taylor_galerkin<G, L, P...>& scheme, interval span, courant pace,
     const double wanted = (span.end - span.begin) * scheme.wave_speed() / (*pace.number * h);
     if (!(wanted < 1e15)) throw error("integrate: the law's wave speed is not finite; check the law and the states");
     const long steps = std::max(1L, static_cast<long>(std::ceil(wanted * (1 - 1e-12))));
-    return integrate(scheme, span, fixed_steps{steps, limit}, observers...);
+    return integrate(scheme, span, fixed_steps{steps, limit}, std::forward<Observer>(observers)...);
 }
 
 }  // namespace tamis

@@ -7,6 +7,7 @@
 
 namespace tamis {
 
+/// Conservation laws and ends of lines for `taylor_galerkin`.
 namespace conservation {
 
 /// The unknowns of a law at a place, as users see them.
@@ -34,6 +35,7 @@ namespace conservation {
 /// u is carried along with a speed (m/s), that of the axis where there are several: F = c u.
 template <int Dim = 1> struct advection {
     static constexpr int unknowns = 1;
+    /// c along each axis (m/s).
     double speed[Dim];
 
     template <class State> State flux(const State& u, int axis) const {
@@ -49,7 +51,8 @@ template <int Dim = 1> struct advection {
 /// A linear elastic bar in (stress, velocity): sigma_t = E v_x, rho v_t = sigma_x.
 struct elastic_bar {
     static constexpr int unknowns = 2;
-    double young = 1, density = 1;  // Pa, kg/m^3
+    /// Young's modulus (Pa) and density (kg/m^3).
+    double young = 1, density = 1;
 
     template <class State> State flux(const State& u, int) const {
         using T = typename State::Scalar;

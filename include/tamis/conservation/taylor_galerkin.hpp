@@ -1,14 +1,12 @@
 #pragma once
 // Not part of tamis.hpp: a scheme of its own beside the solver.
-#include <tamis/conservation/ends.hpp>
-#include <tamis/conservation/kernels.hpp>
-#include <tamis/grid/wrap.hpp>
-#include <tamis/particles/reach.hpp>
-#include <tamis/solver/checks.hpp>
-#include <tamis/solver/kernels.hpp>
-#include <tamis/solver/reached_blocks.hpp>
-#include <tamis/solver/seeding.hpp>
-#include <tamis/solver/sweeps.hpp>
+#include <tamis/conservation/galerkin_now.hpp>
+#include <tamis/conservation/line_ends.hpp>
+#include <tamis/engine/reached_blocks.hpp>
+#include <tamis/engine/sweeps.hpp>
+#include <tamis/run/checks.hpp>
+#include <tamis/run/seeding.hpp>
+#include <tamis/step/particle_stages.hpp>
 
 #include <cmath>
 #include <utility>
@@ -40,12 +38,15 @@ class taylor_galerkin {
         "tamis: the mass matrix of taylor_galerkin is lumped_mass{}, full_mass<k>{} or full_mass<dynamic>{k}");
 
   public:
+    /// Types of places, of states, and of what kernels compute with.
+    /// @{
     using real = typename Grid::real;
     using S = space<Grid::dim, typename Lanes::template type<real>>;
     using T = typename S::scalar;
     static constexpr int dim = Grid::dim, count = Law::unknowns;
     using place_type = point<dim, real>;
     using state_type = conservation::state<count, real>;
+    /// @}
 
     /// Throws `error` if there is no particle, or if the ends do not go with the grid.
     taylor_galerkin(const Grid& grid, const Law& law, per_cell particles, const Shape& shape = {},
@@ -65,22 +66,28 @@ class taylor_galerkin {
           particles_({}, lattice_),
           sweeps_(shape_, lattice_, run_) {
         if constexpr (requires { law.check(); }) law.check();
-        detail::add_particles<false>(particles_, shape_, run_, points, volume);
+        detail::add_particles<false>(particles_, shape_, run_, points, volume, real(particles_.law.density));
         particles_.store().template arrange<lattice_type::N>();
         activate_nodes();
         weigh_nodes();
-        find_walls();
+        ends_.find(lattice_, shape_, sweeps_.nodes());
     }
     taylor_galerkin(const taylor_galerkin&) = delete;
     taylor_galerkin& operator=(const taylor_galerkin&) = delete;
 
+    /// The grid.
     const Grid& grid() const { return lattice_.grid(); }
+    /// The law.
     const Law& law() const { return law_; }
+    /// Time at the end of the last step (s).
     double time() const { return time_; }
+    /// Steps done since the run began.
     long steps() const { return steps_; }
     /// Number of particles.
     std::size_t size() const { return particles_.size(); }
+    /// Bytes a particle takes.
     static constexpr std::size_t bytes_per_particle() { return body_type::bytes_per_particle(); }
+    /// Bytes a node takes.
     static constexpr std::size_t bytes_per_node() {
         return sizeof(real) * static_cast<std::size_t>(sweeps_type::nodes_type::components);
     }
@@ -90,7 +97,7 @@ class taylor_galerkin {
         if (steps_ > 0 && t == time_) return;
         time_ = t;
         steps_ = 0;
-        gain_.setZero();
+        ends_.restart();
     }
     /// Unknowns of the nodes, f(place): a vector, or a number where there is one unknown.
     template <class F> void set(const F& f) {
@@ -111,8 +118,8 @@ class taylor_galerkin {
                     put<unknowns>(place, detail::as_state<state_type>(f(grid().node(here))));
                 }
         start_at(time_);
-        hold<unknowns>(time_);
-        gain_.setZero();
+        ends_.hold(sweeps_.nodes(), time_);
+        ends_.restart();
     }
 
     /// One step of dt (s).
@@ -120,24 +127,9 @@ class taylor_galerkin {
     /// The same, for a step that ends at the given time.
     void step(const real& dt, double end) {
         detail::check_step(detail::to_double(dt), time_, end);
-        const real half = dt / real(2);
-        each_node(detail::flux_of_nodes<S, Law>{law_});
-        sweeps_.nodes().template set_zero<rate>();
-        const detail::flux_to_nodes<S, Law> kernel{law_, T(half)};
-        sweeps_.template scatter_gathered<fields<const field::mass>, fields<unknowns>, fields<rate>, fluxes>(particles_,
-                                                                                                             kernel);
-        detail::wrap(lattice_, sweeps_.nodes(), fields<rate>{});
-        flow_through_walls(dt, half, time_ + (end - time_) / 2);
-        if constexpr (Mass::full) {
-            each_node(detail::first_term<T, count>{T(dt)});
-            hold_change(end);
-            pass series{*this, end};
-            detail::add_series<change, term, term, rate>(mass_.terms(), true, series);
-            each_node(detail::add_change<count>{});
-        } else {
-            each_node(detail::add_rate<T, count>{T(dt)});
-            hold<unknowns>(end);
-        }
+        using now_type = detail::galerkin_now<S, decltype(sweeps_), body_type, decltype(ends_), Law, Mass, real>;
+        now_type now{sweeps_, particles_, ends_, law_, mass_, dt, time_, end};
+        detail::schedule_runner<plan, now_type>::run(now);
         time_ = end;
         ++steps_;
     }
@@ -168,7 +160,7 @@ class taylor_galerkin {
     }
     /// What has come in through the ends since the start: fluxes, and what held unknowns were given. `total()` grows by
     /// it, to round-off.
-    const state_type& gain() const { return gain_; }
+    const state_type& gain() const { return ends_.gain(); }
     /// The fastest disturbance at the nodes (m/s).
     double wave_speed() const {
         if constexpr (requires { law_.wave_speed(); }) return static_cast<double>(law_.wave_speed());
@@ -200,45 +192,18 @@ class taylor_galerkin {
     using change = field::change<count>;
     using term = field::change_term<count>;
     using rate = field::rate<count>;
-    using node_fields = merge<fields<field::mass, unknowns, fluxes, rate>,
-                              std::conditional_t<Mass::full, fields<change, term>, fields<>>>;
-    using sweeps_type = detail::sweeps<S, Shape, node_fields, Execution, false>;
+    using plan = detail::schedule<S, typename detail::taylor_galerkin_text<S, Law, Mass>::type, fields<unknowns>>;
+    using sweeps_type = detail::sweeps<S, Shape, typename plan::layout, Execution, false>;
     using lattice_type = typename sweeps_type::lattice_type;
     using body_type = body<S, Shape, volumes, fields<detail::held_weights<Shape>, field::mass>>;
-    /// An end of a line: its node, and the functions there.
-    struct wall {
-        std::size_t node;
-        std::vector<std::size_t> places;
-        std::vector<real> weights, slopes;
-    };
-    /// What the mass policy's series sees.
-    struct pass {
-        taylor_galerkin& of;
-        double end;
-        bool zero = false;  // the image is
-        template <class Kernel> void nodes(Kernel kernel) { of.each_node(kernel); }
-        template <class From> void spread_increment() {
-            if (!std::exchange(zero, false)) of.sweeps_.template set_zero<rate>();
-            of.sweeps_.template scatter_gathered<fields<const field::mass>, fields<From>, fields<rate>>(
-                of.particles_, detail::spread_term<count>{});
-            detail::wrap(of.lattice_, of.sweeps_.nodes(), fields<rate>{});
-        }
-        static constexpr bool clears_image = true;
-        void image_is_zero() { zero = true; }
-        static constexpr bool reads_last_increment = true;
-        template <class> void hold_increment(bool) { of.hold_change(end); }
-    };
-
     Law law_;
     Shape shape_;
     Mass mass_;
-    Ends ends_;
+    detail::line_ends<S, Law, Ends> ends_;
     Execution run_;
     lattice_type lattice_;
     body_type particles_;
     sweeps_type sweeps_;
-    std::vector<wall> walls_;
-    state_type gain_ = state_type::Zero();
     double time_ = 0;
     long steps_ = 0;
 
@@ -248,7 +213,6 @@ class taylor_galerkin {
         for (int d = 0; d < dim; ++d) volume *= grid.spacing() / real(particles);
         return volume;
     }
-    template <class Kernel> void each_node(Kernel kernel) { sweeps_.each_node(typename Kernel::list{}, kernel); }
     /// Nodes of the grid, those of a periodic axis once.
     template <class F> void each_own_node(F f) const {
         grid().each_node([&](const std::array<int, 3>& node) {
@@ -273,71 +237,9 @@ class taylor_galerkin {
         sweeps_.nodes().set_active(reached.blocks());
     }
     void weigh_nodes() {
-        sweeps_.template scatter<fields<const field::mass>, fields<field::mass>>(particles_, detail::mass_to_nodes{});
-        detail::wrap(lattice_, sweeps_.nodes(), fields<field::mass>{});
-        each_node(detail::invert_mass{});
-    }
-    void find_walls() {
-        bool open = false;
-        for (int d = 0; d < dim; ++d) open = open || !grid().wraps(d);
-        if constexpr (dim > 1) {
-            if (open)
-                throw error(
-                    "taylor_galerkin: in two and three dimensions the grid must be periodic; wrap all its axes, "
-                    "grid.wrapped(0).wrapped(1)");
-        } else if (open) {
-            for (const int node : {0, grid().cells(0)}) {
-                wall w{lattice_.node_place({node, 0, 0}), {}, {}, {}};
-                if (!(inverse_mass(w.node) > real(0)))
-                    throw error(detail::sentence("taylor_galerkin: no particle reaches the end at ",
-                                                 grid().node({node, 0, 0})[0], "; place particles up to both ends"));
-                each_near_node(lattice_, shape_, grid().node({node, 0, 0}), [&](const auto& near) {
-                    w.places.push_back(lattice_.node_place(near.index));
-                    w.weights.push_back(near.weight);
-                    w.slopes.push_back(near.slope[0]);
-                });
-                walls_.push_back(w);
-            }
-        }
-    }
-    /// The state at end k, of what the inside brings to it.
-    state_type state_at(std::size_t k, const state_type& inside, double t) const {
-        return k == 0 ? detail::as_state<state_type>(ends_.low(inside, t))
-                      : detail::as_state<state_type>(ends_.high(inside, t));
-    }
-    void flow_through_walls(const real& dt, const real& half, double t) {
-        for (std::size_t k = 0; k < walls_.size(); ++k) {
-            const wall& w = walls_[k];
-            state_type inside = state_type::Zero();
-            for (std::size_t j = 0; j < w.places.size(); ++j) {
-                inside += w.weights[j] * get<unknowns>(w.places[j]);
-                for (int c = 0; c < count; ++c)
-                    inside[c] -= half * w.slopes[j] * sweeps_.nodes().template at<fluxes>(w.places[j], c);
-            }
-            state_type in = law_.flux(state_at(k, inside, t), 0);
-            if (k == 1) in = -in;
-            put<rate>(w.node, get<rate>(w.node) + in);
-            gain_ += dt * in;
-        }
-    }
-    /// The unknowns take what the ends hold.
-    template <class F> void hold(double t) {
-        for (std::size_t k = 0; k < walls_.size(); ++k) {
-            const std::size_t node = walls_[k].node;
-            const state_type u = get<F>(node), held_u = state_at(k, u, t);
-            gain_ += (held_u - u) / inverse_mass(node);
-            put<F>(node, held_u);
-        }
-    }
-    /// The term at hand, which `change` has already, takes what the ends hold.
-    void hold_change(double t) {
-        for (std::size_t k = 0; k < walls_.size(); ++k) {
-            const std::size_t node = walls_[k].node;
-            const state_type u = get<unknowns>(node) + get<change>(node), more = state_at(k, u, t) - u;
-            gain_ += more / inverse_mass(node);
-            put<change>(node, get<change>(node) + more);
-            put<term>(node, get<term>(node) + more);
-        }
+        sweeps_.scatter(particles_, detail::kernel_of_parts<S>(typename detail::p2g<field::inverse_mass>::part{}));
+        detail::wrap(lattice_, sweeps_.nodes(), fields<field::inverse_mass>{});
+        sweeps_.each_node(detail::invert_in_place{});
     }
 };
 

@@ -32,9 +32,11 @@ struct frictionless {
 class coulomb {
   public:
     static constexpr std::string_view name = "coulomb";
+    /// Throws `error` if mu is negative.
     explicit coulomb(double mu) : mu_(mu) {
         if (!(mu >= 0)) throw error(detail::sentence("coulomb: mu is ", mu, "; give 0 or more"));
     }
+    /// Coefficient of friction.
     double mu() const { return mu_; }
     template <class real> real tangential(const real& normal, const real& stick) const {
         return std::min<real>(static_cast<real>(mu_) * normal, stick);
@@ -50,9 +52,19 @@ class coulomb {
 struct normal_by_mass {
     using on_nodes = fields<field::mass_gradient>;
 };
+/// Of the plane that divides the particles of the two bodies around the node most probably: logistic regression (Nairn,
+/// Hammerquist & Smith 2020, CMAME 362, 112859). The default.
+struct normal_by_regression {
+    /// How far from the node it looks at particles, in sides of a cell: no less than the shape's functions reach.
+    double reach = 2.5;
+    /// Of |n|^2, n in sides of a cell: the less, the more it is the particles nearest to the plane that count.
+    double penalty = 1e-7;
+};
 /// The same everywhere, or normal(at): a unit vector from the body named first in bodies(...) to the later one.
 template <class Normal> struct given_normal {
+    /// A vector, or a function of the place (m).
     Normal normal;
+    /// The normal at a place (m).
     template <class Point> Point operator()(const Point& at) const {
         // Asked this way round: an Eigen vector can be "called" with another, as with a list of indices.
         if constexpr (std::convertible_to<Normal, Point>)
@@ -68,13 +80,21 @@ template <class Normal> struct given_normal {
 };
 template <class Normal> given_normal(Normal) -> given_normal<Normal>;
 
-// Detection: bodies touch on a node they share if they approach there,
-
+/// Detection: bodies touch on a node they share if they approach there.
 struct by_approach {};
-/// ... and are nearer to each other than `cells` cell sides: by their particles' mean places, sum S_pi M_p X_p / m.
+/// Bodies touch on a node they share if they approach there and are nearer to each other than `cells` cell sides: by
+/// their particles' mean places, sum S_pi M_p X_p / m.
 struct by_separation {
     using on_nodes = fields<field::mass_place>;
+    /// In sides of a cell.
     double cells = 0.8;
+};
+/// Bodies touch on a node they share if they approach there and the extents of their particles meet: where their
+/// nearest particles within the shape's reach of the node, each by its deformed domain, are no farther apart along the
+/// normal than `cells` cell sides (Nairn, Hammerquist & Smith 2020). The default.
+struct by_extents {
+    /// In sides of a cell.
+    double cells = 1e-3;
 };
 
 namespace detail {
@@ -122,7 +142,7 @@ struct velocity {
 ///
 ///     solver mpm{grid, fmpm<2>{}, contact{coulomb{0.3}}};
 ///     mpm.step(bodies(block, floor), dt);
-template <class Law, class Normal = normal_by_mass, class Detection = by_approach,
+template <class Law, class Normal = normal_by_regression, class Detection = by_extents,
           class Method = contact_method::incremental>
 struct contact {
     static_assert(
@@ -131,16 +151,33 @@ struct contact {
         },
         "tamis: the contact law has no tangential(normal, stick), the tangential impulse that goes with a "
         "normal one; give it that member, or take bonded, frictionless or coulomb");
+    /// Type of the law.
     using law_type = Law;
+    /// Type of the method.
     using method_type = Method;
+    /// Do the bodies stick always?
     static constexpr bool always = requires { requires Law::always; };
+    /// Are normals made of the masses?
     static constexpr bool by_mass = !always && std::same_as<Normal, normal_by_mass>;
+    /// Are the particles' mean places needed?
     static constexpr bool by_place = !always && std::same_as<Detection, by_separation>;
+    /// Are normals fitted between the particles?
+    static constexpr bool by_regression = !always && std::same_as<Normal, normal_by_regression>;
+    /// Are they neither of these, but told?
+    static constexpr bool by_given = !always && !by_mass && !by_regression;
+    /// Are the extents of particles needed?
+    static constexpr bool by_extents = !always && std::same_as<Detection, tamis::by_extents>;
+    /// Does it look at the particles around nodes in every step?
+    static constexpr bool by_particles = by_regression || by_extents;
     using on_nodes = typename detail::concatenate<detail::fields_if<by_mass, field::mass_gradient>,
                                                   detail::fields_if<by_place, field::mass_place>>::type;
+    /// What happens where bodies touch.
     Law law;
+    /// In which direction.
     [[no_unique_address]] Normal normal{};
+    /// When they touch.
     [[no_unique_address]] Detection detection{};
+    /// Where that enters the series of a full mass matrix.
     [[no_unique_address]] Method method{};
 };
 template <class Law> contact(Law) -> contact<Law>;

@@ -1,21 +1,18 @@
 #pragma once
-#include <tamis/contact/policies.hpp>
-#include <tamis/grid/lattice.hpp>
-#include <tamis/grid/node_table.hpp>
+#include <tamis/contact/shared_nodes.hpp>
 
-#include <algorithm>
-#include <cstdint>
 #include <vector>
 
 namespace tamis {
 
 /// A node where two bodies touch, and what the contact did there in the last step.
 template <int Dim, class Real> struct touching_node {
-    point<Dim, Real> at;
-    int first, second;        // which bodies, in the order of bodies(...)
-    point<Dim, Real> normal;  // from the first to the second; zero for bonded bodies
-    point<Dim, Real> force;   // on the first (N); the second feels the opposite
-    bool slides;
+    point<Dim, Real> at;  ///< Place (m).
+    /// Which bodies, in the order of bodies(...).
+    int first, second;
+    point<Dim, Real> normal;  ///< From the first to the second; zero for bonded bodies.
+    point<Dim, Real> force;   ///< On the first (N), mean over the step; the second feels the opposite.
+    bool slides;              ///< Do they slide?
 };
 
 namespace detail {
@@ -23,84 +20,40 @@ namespace detail {
 /// Corrections on nodes that two bodies reach (docs/method.md, Contact; Bardenhagen et al. 2001): with the relative
 /// velocity w = v_2 - v_1, the impulse J = m_red w would make them move as one. Its normal part acts where they
 /// approach, of its tangential part what the law allows. Momentum is kept exactly.
-template <class S, class Shape, class Contact> class touching_nodes {
+template <class S, class Shape, class Contact> class touching_nodes : public shared_nodes<S, Shape, Contact> {
+    using base = shared_nodes<S, Shape, Contact>;
+    using base::nodes_, base::policy_, base::lattice_;
+    using typename base::entry;
+
   public:
-    using real = typename S::real;
-    using vector = point<S::dim, real>;
-    using lattice_type = lattice<S, Shape>;
+    using typename base::real;
+    using typename base::vector;
     static constexpr int D = S::dim;
-
-    touching_nodes(const Contact& policy, const lattice_type& lattice) : policy_(policy), lattice_(lattice) {}
-
-    /// Finds the nodes that two fields share; `mass_of(field, place)`.
-    template <class Fields, class Mass> void find(const Fields& fields, Mass mass_of) {
-        nodes_.clear();
-        constexpr auto W = static_cast<std::size_t>(S::width);
-        for (std::size_t b = 1; b < fields.size(); ++b)
-            for (std::size_t a = 0; a < b; ++a) {
-                shared_.clear();
-                const auto &on_a = fields[a]->active(), &on_b = fields[b]->active();
-                std::set_intersection(on_a.begin(), on_a.end(), on_b.begin(), on_b.end(), std::back_inserter(shared_));
-                for (const std::uint32_t block : shared_)
-                    for (std::size_t place = block * W; place < (block + 1) * W; ++place) {
-                        entry e;
-                        e.mass[0] = mass_of(a, place);
-                        e.mass[1] = mass_of(b, place);
-                        if (!(e.mass[0] >= least_mass<real>() && e.mass[1] >= least_mass<real>())) continue;
-                        e.place = place;
-                        e.field = {a, b};
-                        e.reduced = e.mass[0] * (e.mass[1] / (e.mass[0] + e.mass[1]));
-                        nodes_.push_back(e);
-                    }
-            }
-    }
-    bool any() const { return !nodes_.empty(); }
-    /// Normals and distances, where the policy needs them; their node fields are complete now.
-    template <class Fields> void measure(const Fields& fields) {
-        if constexpr (!Contact::always)
-            std::erase_if(nodes_, [&](entry& e) {
-                if constexpr (Contact::by_mass)
-                    // G_pi slopes up towards the node, so the sum points out of the body.
-                    e.normal = fields[e.field[0]]->template get<field::mass_gradient>(e.place) -
-                               fields[e.field[1]]->template get<field::mass_gradient>(e.place);
-                else
-                    e.normal = as_point<D, real>(policy_.normal(lattice_.place_of(e.place)));
-                const real length = e.normal.norm();
-                if (!(length > real(0))) return true;
-                e.normal /= length;
-                if constexpr (Contact::by_place) {
-                    const vector apart = fields[e.field[1]]->template get<field::mass_place>(e.place) / e.mass[1] -
-                                         fields[e.field[0]]->template get<field::mass_place>(e.place) / e.mass[0];
-                    return !(apart.dot(e.normal) < constant<real>(policy_.detection.cells) * lattice_.grid().spacing());
-                }
-                return false;
-            });
-    }
+    using base::base;
 
     /// Momenta p of the step's start, or of an extrapolation after it. `share`: how much of their change reaches the
     /// particles.
-    template <class Fields>
+    template <class Momentum, class Fields>
     void momentum(const Fields& fields, const real& share = real(0), const real& inverse_dt = real(0)) {
         for (entry& e : nodes_) {
-            const vector p[2] = {fields[e.field[0]]->template get<field::momentum>(e.place),
-                                 fields[e.field[1]]->template get<field::momentum>(e.place)};
+            const vector p[2] = {fields[e.field[0]]->template get<Momentum>(e.place),
+                                 fields[e.field[1]]->template get<Momentum>(e.place)};
             const vector j = impulse(e, p[1] / e.mass[1] - p[0] / e.mass[0]);
             e.of_start = {j, share * e.heat};
             heat_ += to_double(e.of_start.heat);
-            fields[e.field[0]]->template put<field::momentum>(e.place, vector(p[0] + j));
-            fields[e.field[1]]->template put<field::momentum>(e.place, vector(p[1] - j));
+            fields[e.field[0]]->template put<Momentum>(e.place, vector(p[0] + j));
+            fields[e.field[1]]->template put<Momentum>(e.place, vector(p[1] - j));
             e.force += j * (share * inverse_dt);
         }
     }
-    /// Forces f: those that carry p (its column may hold the velocity already) to a momentum that the contact allows.
-    template <bool HoldsVelocity, class Fields> void forces(const Fields& fields, const real& dt) {
+    /// Forces f: those that carry the momenta p to ones that the contact allows.
+    template <class Fields> void forces(const Fields& fields, const real& dt) {
         const real inverse_dt = real(1) / dt;
         for (entry& e : nodes_) {
             vector v[2], f[2];
             for (std::size_t k = 0; k < 2; ++k) {
                 f[k] = fields[e.field[k]]->template get<field::force>(e.place);
-                v[k] = fields[e.field[k]]->template get<field::momentum>(e.place);
-                if constexpr (!HoldsVelocity) v[k] /= e.mass[k];
+                v[k] = fields[e.field[k]]->template get<field::momentum>(e.place) / e.mass[k];
                 v[k] += f[k] * (dt / e.mass[k]);
             }
             const vector j = impulse(e, v[1] - v[0]);
@@ -170,7 +123,10 @@ template <class S, class Shape, class Contact> class touching_nodes {
 
     /// Work that friction has taken from the bodies since the start of the run (J).
     double heat() const { return heat_; }
-    void restart() { heat_ = 0; }
+    void restart() {
+        heat_ = 0;
+        this->forget_meetings();
+    }
     auto nodes() const {
         std::vector<touching_node<D, real>> all;
         for (const entry& e : nodes_)
@@ -181,26 +137,6 @@ template <class S, class Shape, class Contact> class touching_nodes {
     }
 
   private:
-    enum class contact_state { apart, sticks, slides };
-    struct entry {
-        std::size_t place = 0;
-        std::array<std::size_t, 2> field{};
-        std::array<real, 2> mass{};
-        real reduced{}, friction{}, heat{};  // friction: tangential over normal impulse
-        vector normal = vector::Zero(), tangent = vector::Zero(), force = vector::Zero();
-        struct {
-            vector impulse = vector::Zero();
-            real heat{};
-        } of_start;  // impulse at the momentum of the start, or extrapolated last
-        vector wanted = vector::Zero(),
-               given = vector::Zero();  // relative velocity without contact, and impulse for it
-        contact_state state = contact_state::apart;
-        contact_state told = contact_state::apart;  // of the forces, or of the velocity that particles take
-    };
-    Contact policy_;
-    const lattice_type& lattice_;
-    std::vector<entry> nodes_;
-    std::vector<std::uint32_t> shared_;
     double heat_ = 0;
 
     /// Impulse on the first body for a relative velocity w of the second.

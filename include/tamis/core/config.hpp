@@ -49,11 +49,16 @@
 #define TAMIS_VECTOR_REGISTERS 16
 #endif
 
-// Vector lanes come from xsimd when it is there; -DTAMIS_XSIMD=0 leaves it out.
-#ifndef TAMIS_XSIMD
-#if __has_include(<xsimd/xsimd.hpp>)
-#define TAMIS_XSIMD 1
+// Bytes of the widest vectors of the target, 0 where lanes are one: the compiler has no vectors of its own, or
+// -DTAMIS_VECTORS=0 says so.
+#if !defined(__GNUC__) || (defined(TAMIS_VECTORS) && !TAMIS_VECTORS)
+#define TAMIS_VECTOR_BYTES 0
+#elif defined(__AVX512F__)
+#define TAMIS_VECTOR_BYTES 64
+#elif defined(__AVX__)
+#define TAMIS_VECTOR_BYTES 32
+#elif defined(__SSE2__) || defined(__aarch64__) || defined(__VSX__)
+#define TAMIS_VECTOR_BYTES 16
 #else
-#define TAMIS_XSIMD 0
-#endif
+#define TAMIS_VECTOR_BYTES 0
 #endif

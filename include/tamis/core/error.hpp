@@ -11,6 +11,7 @@ namespace tamis {
 /// What the library throws: a sentence that names what is wrong, where, and what to do.
 class error : public std::runtime_error {
   public:
+    /// Of a sentence, which `what()` gives.
     using std::runtime_error::runtime_error;
 };
 

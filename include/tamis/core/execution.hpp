@@ -1,10 +1,12 @@
 #pragma once
 #include <tamis/core/error.hpp>
+#include <tamis/core/team.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <string_view>
 #if defined(_OPENMP)
@@ -29,23 +31,15 @@ struct serial {
     }
 };
 
-/// By OpenMP threads. Results are the same, bit for bit, for any number of them and for `serial`. A thread begins with
-/// its own part of the calls, the same one every time, so that it finds its data in the memory near to it; then it
-/// takes what others have not begun.
+/// By threads, which each solver has of its own. Results are the same, bit for bit, for any number of them and for
+/// `serial`. A thread begins with its own part of the calls, the same one every time, so that it finds its data in the
+/// memory near to it; then it takes what others have not begun. Nobody waits for a thread that gets no processor.
 class threads {
   public:
     static constexpr std::string_view name = "threads";
     /// 0: as many as OpenMP would take. Throws `error` if the number is negative, or if the program was compiled
     /// without OpenMP (-fopenmp).
-    explicit threads(int count = 0) : count_(count) {
-        if (count < 0 || count > 1024)
-            throw error(detail::sentence("threads: the number is ", count, "; give 0 (all), or 1 to 1024"));
-#if defined(_OPENMP)
-        if (count == 0) count_ = omp_get_max_threads();
-#else
-        throw error("threads: this program was compiled without OpenMP; add -fopenmp, or use serial");
-#endif
-    }
+    explicit threads(int count = 0) : count_(checked(count)), team_(static_cast<std::uint32_t>(count_ - 1)) {}
     int count() const { return count_; }
 
     template <class F> void for_each(std::size_t n, F&& f) const {
@@ -53,20 +47,19 @@ class threads {
             for (std::size_t k = 0; k < n; ++k) f(k);
             return;
         }
-#if defined(_OPENMP)
         struct alignas(64) counter {  // a cache line each
             std::atomic<std::size_t> next;
         };
         constexpr std::size_t most_parts = 64;
         counter part[most_parts];
-        const std::size_t parts = std::min({n, static_cast<std::size_t>(count_), most_parts});
+        const auto workers = static_cast<std::size_t>(count_);
+        const std::size_t parts = std::min({n, workers, most_parts});
         for (std::size_t p = 0; p < parts; ++p) part[p].next.store(n * p / parts, std::memory_order_relaxed);
-        // An exception must not leave a parallel region: the first one is kept and thrown after it.
+        // The first exception is kept, and thrown when all are done.
+        std::atomic<bool> failed{false};
         std::exception_ptr failure;
-#pragma omp parallel num_threads(count_)
-        {
-            const auto own = static_cast<std::size_t>(omp_get_thread_num()) * parts /
-                             static_cast<std::size_t>(omp_get_num_threads());
+        const auto work = [&](std::uint32_t worker) {
+            const std::size_t own = worker * parts / workers;
             for (std::size_t p = own; p < own + parts; ++p) {
                 const std::size_t of = p % parts, end = n * (of + 1) / parts;
                 // Where all are begun counters are only read: writes would wait for each other.
@@ -76,18 +69,28 @@ class threads {
                     try {
                         f(k);
                     } catch (...) {
-#pragma omp critical(tamis_failure)
-                        if (!failure) failure = std::current_exception();
+                        if (!failed.exchange(true)) failure = std::current_exception();
                     }
                 }
             }
-        }
+        };
+        team_.run(detail::team::job::to(work));
         if (failure) std::rethrow_exception(failure);
-#endif
     }
 
   private:
     int count_;
+    detail::team team_;
+
+    static int checked(int count) {
+        if (count < 0 || count > 1024)
+            throw error(detail::sentence("threads: the number is ", count, "; give 0 (all), or 1 to 1024"));
+#if defined(_OPENMP)
+        return count == 0 ? omp_get_max_threads() : count;
+#else
+        throw error("threads: this program was compiled without OpenMP; add -fopenmp, or use serial");
+#endif
+    }
 };
 
 namespace detail {

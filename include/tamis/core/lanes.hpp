@@ -1,29 +1,36 @@
 #pragma once
 #include <tamis/core/config.hpp>
+#include <tamis/core/lane_functions.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
 #include <utility>
-#if TAMIS_XSIMD
-#include <xsimd/xsimd.hpp>
-#endif
 
 namespace tamis {
 
 /// How kernels see a scalar T of `width` independent lanes of `real`. The primary template is one lane: float, double,
 /// long double, or a dual number (for which `floor` is found by argument-dependent look-up, or specialised).
 template <class T> struct lane {
+    /// The number in a lane, and how many lanes there are.
+    /// @{
     using real = T;
     static constexpr int width = 1;
+    /// @}
+    /// Reads `width` numbers.
     TAMIS_INLINE static T load(const real* from) { return *from; }
+    /// Writes `width` numbers.
     TAMIS_INLINE static void store(real* to, const T& value) { *to = value; }
+    /// 0, 1, 2, ... in the lanes.
     TAMIS_INLINE static T iota() { return T(0); }
+    /// Is a mask true in any lane?
     TAMIS_INLINE static bool any(bool mask) { return mask; }
+    /// mask ? yes : no, lane by lane.
     template <class Mask> TAMIS_INLINE static T select(const Mask& mask, const T& yes, const T& no) {
         return mask ? yes : no;
     }
+    /// The largest whole number that is not above a.
     TAMIS_INLINE static int floor(const T& a) {
         using std::floor;
         return static_cast<int>(floor(a));
@@ -35,21 +42,29 @@ struct one_lane {
     template <class Real> using type = Real;
 };
 
-#if TAMIS_XSIMD
-template <class Real, class Arch> struct lane<xsimd::batch<Real, Arch>> {
-    using T = xsimd::batch<Real, Arch>;
+#if TAMIS_VECTOR_BYTES > 0
+/// @cond
+template <class Real, int W> struct lane<lane_vector<Real, W>> {
+    using T = lane_vector<Real, W>;
     using real = Real;
-    static constexpr int width = static_cast<int>(T::size);
-    TAMIS_INLINE static T load(const real* from) { return T::load_unaligned(from); }
-    TAMIS_INLINE static void store(real* to, const T& value) { value.store_unaligned(to); }
+    static constexpr int width = W;
+    TAMIS_INLINE static T load(const real* from) {
+        raw a;
+        __builtin_memcpy(&a, from, sizeof(a));
+        return T(a);
+    }
+    TAMIS_INLINE static void store(real* to, const T& value) {
+        const raw a = value.get();
+        __builtin_memcpy(to, &a, sizeof(a));
+    }
     TAMIS_INLINE static T iota() {
         alignas(64) Real a[width];
         for (int l = 0; l < width; ++l) a[l] = static_cast<Real>(l);
         return load(a);
     }
-    template <class Mask> TAMIS_INLINE static bool any(const Mask& mask) { return xsimd::any(mask); }
-    template <class Mask> TAMIS_INLINE static T select(const Mask& mask, const T& yes, const T& no) {
-        return xsimd::select(mask, yes, no);
+    TAMIS_INLINE static bool any(const lane_mask<Real, W>& mask) { return detail::any_of<Real, W>(mask.get()); }
+    TAMIS_INLINE static T select(const lane_mask<Real, W>& mask, const T& yes, const T& no) {
+        return select_lanes(mask, yes, no);
     }
 
     /// Lanes moved up by K places; zeros come in at the bottom.
@@ -65,52 +80,65 @@ template <class Real, class Arch> struct lane<xsimd::batch<Real, Arch>> {
 
     /// W lanes from the K-th of `low` on, the last ones from `high`.
     template <int K> TAMIS_INLINE static T slide(const T& low, const T& high) {
-        return slide_by<K>(__builtin_bit_cast(raw, low), __builtin_bit_cast(raw, high),
-                           std::make_integer_sequence<int, width>{});
+        return slide_by<K>(low.get(), high.get(), std::make_integer_sequence<int, width>{});
     }
 
   private:
-    typedef Real raw __attribute__((vector_size(sizeof(T))));
-    static_assert(sizeof(raw) == sizeof(Real) * static_cast<unsigned>(width));
+    using raw = typename T::raw;
     struct zero_first {};
     struct zero_last {};
     template <class Place, class Order> TAMIS_INLINE static T shuffle(const T& a, Place, Order) {
-        return place<Place>(__builtin_bit_cast(raw, a), Order{}, std::make_integer_sequence<int, width>{});
+        return place<Place>(a.get(), Order{}, std::make_integer_sequence<int, width>{});
     }
     template <int K, int... L> TAMIS_INLINE static T slide_by(raw low, raw high, std::integer_sequence<int, L...>) {
-        return __builtin_bit_cast(T, __builtin_shufflevector(low, high, (K + L)...));
+        return T(__builtin_shufflevector(low, high, (K + L)...));
     }
     template <class Place, int... L> TAMIS_INLINE static T place(raw a, zero_first, std::integer_sequence<int, L...>) {
-        return __builtin_bit_cast(T, __builtin_shufflevector(raw{}, a, Place{}(L)...));
+        return T(__builtin_shufflevector(raw{}, a, Place{}(L)...));
     }
     template <class Place, int... L> TAMIS_INLINE static T place(raw a, zero_last, std::integer_sequence<int, L...>) {
-        return __builtin_bit_cast(T, __builtin_shufflevector(a, raw{}, Place{}(L)...));
+        return T(__builtin_shufflevector(a, raw{}, Place{}(L)...));
     }
 };
 
+/// @endcond
 /// The widest vectors the compiler's target has.
 struct native_lanes {
-    template <class Real, bool Vectors = xsimd::has_simd_register<Real>::value> struct choose { using type = Real; };
-    template <class Real> struct choose<Real, true> { using type = xsimd::batch<Real>; };
+    /// @cond
+    template <class Real> static constexpr bool is_vector = std::is_same_v<Real, double> || std::is_same_v<Real, float>;
+    template <class Real, bool = is_vector<Real>> struct choose { using type = Real; };
+    template <class Real> struct choose<Real, true> {
+        using type = lane_vector<Real, TAMIS_VECTOR_BYTES / static_cast<int>(sizeof(Real))>;
+    };
+    /// @endcond
+    /// The scalar of kernels.
     template <class Real> using type = typename choose<Real>::type;
 };
 /// Vectors of W lanes, where the target has them.
 template <int W> struct lanes {
     static_assert(W >= 1, "tamis: lanes<W> needs W >= 1");
+    /// @cond
     template <class Real> struct choose {
-        using type = xsimd::make_sized_batch_t<Real, static_cast<std::size_t>(W)>;
-        static_assert(!std::is_void_v<type>,
+        static constexpr int bytes = W * static_cast<int>(sizeof(Real));
+        static_assert(native_lanes::is_vector<Real> && (bytes == 16 || bytes == 32 || bytes == 64) &&
+                          bytes <= TAMIS_VECTOR_BYTES,
                       "tamis: this target has no vectors of that many lanes; use native_lanes, or compile with "
                       "-march=native");
+        using type = lane_vector<Real, W>;
     };
+    /// @endcond
+    /// The scalar of kernels.
     template <class Real> using type = typename choose<Real>::type;
 };
+/// @cond
 template <> struct lanes<1> : one_lane {};
+/// @endcond
 #else
-/// Without xsimd kernels run one particle at a time.
+/// Without vectors kernels run one particle at a time.
 using native_lanes = one_lane;
+/// Lanes of W numbers; without vectors there is one.
 template <int W> struct lanes : one_lane {
-    static_assert(W == 1, "tamis: lanes<W> with W > 1 needs xsimd; install it, or use lanes<1>");
+    static_assert(W == 1, "tamis: lanes<W> with W > 1 needs a compiler and target with vectors; use lanes<1>");
 };
 #endif
 
@@ -127,43 +155,14 @@ template <class T, class Number> TAMIS_INLINE T constant(const Number& number) {
 
 namespace detail {
 
-/// f of every lane.
-template <class T, class F> T each_lane(const T& a, F f) {
-    typename lane<T>::real values[lane<T>::width];
-    lane<T>::store(values, a);
-    for (auto& value : values) value = f(value);
-    return lane<T>::load(values);
-}
-#if defined(__OPTIMIZE__)
-inline constexpr bool vector_functions = true;
-#else
-// xsimd 8 compiles its AVX-512 logarithm only where intrinsics are functions; without optimisation GCC has macros.
-inline constexpr bool vector_functions = false;
-#endif
-
 /// Natural logarithm and exponential, lane by lane; of dual numbers by argument-dependent look-up.
 template <class T> TAMIS_INLINE T logarithm(const T& a) {
     using std::log;
-    if constexpr (lane<T>::width > 1 && !vector_functions)
-        return each_lane(a, [](auto x) { return std::log(x); });
-    else
-        return log(a);
+    return log(a);
 }
 template <class T> TAMIS_INLINE T exponential(const T& a) {
     using std::exp;
-    if constexpr (lane<T>::width > 1 && !vector_functions)
-        return each_lane(a, [](auto x) { return std::exp(x); });
-    else if constexpr (lane<T>::width > 1) {
-        // xsimd makes whole numbers of the argument before it looks how large it is: of infinity and NaN, which empty
-        // lanes may have, that is undefined.
-        using real = typename lane<T>::real;
-        const T most(real(1000)), zero(real(0)), infinity(std::numeric_limits<real>::infinity());
-        const auto too_large = a > most, too_small = a < -most;
-        const auto fits = (a <= most) & (a >= -most);
-        const T value = exp(lane<T>::select(fits, a, zero));
-        return lane<T>::select(fits, value, lane<T>::select(too_large, infinity, lane<T>::select(too_small, zero, a)));
-    } else
-        return exp(a);
+    return exp(a);
 }
 
 /// Nodes with less mass than this take no part: the inverse would be no number.
@@ -194,10 +193,10 @@ template <class Number> double to_double(const Number& a) {
 }  // namespace detail
 }  // namespace tamis
 
-#if TAMIS_XSIMD
+#if TAMIS_VECTOR_BYTES > 0
 namespace Eigen {
-template <class Real_, class Arch> struct NumTraits<xsimd::batch<Real_, Arch>> : GenericNumTraits<Real_> {
-    using Lanes = xsimd::batch<Real_, Arch>;
+template <class Real_, int W> struct NumTraits<tamis::lane_vector<Real_, W>> : GenericNumTraits<Real_> {
+    using Lanes = tamis::lane_vector<Real_, W>;
     using Real = Lanes;
     using NonInteger = Lanes;
     using Nested = Lanes;

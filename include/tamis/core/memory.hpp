@@ -8,6 +8,7 @@
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/mman.h>
 #include <unistd.h>
@@ -89,6 +90,24 @@ template <class T> struct aligned_allocator {
     /// What a vector makes without a value is left as it is: threads write it first, and so spread its memory.
     template <class U> void construct(U* at) { ::new (static_cast<void*>(at)) U; }
     template <class U> bool operator==(const aligned_allocator<U>&) const { return true; }
+};
+
+/// A vector whose copies have its room too: they grow without being moved for as long as it does.
+template <class T> class roomy_vector : public std::vector<T, aligned_allocator<T>> {
+    using base = std::vector<T, aligned_allocator<T>>;
+
+  public:
+    roomy_vector() = default;
+    roomy_vector(const roomy_vector& from) : base() {
+        base::reserve(from.capacity());
+        base::assign(from.begin(), from.end());
+    }
+    roomy_vector(roomy_vector&&) noexcept = default;
+    roomy_vector& operator=(roomy_vector from) noexcept {
+        base::swap(from);
+        return *this;
+    }
+    ~roomy_vector() = default;
 };
 
 /// Numbers that start as zero and, where there are many, take memory only where they are written: a page at a time.

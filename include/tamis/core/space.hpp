@@ -8,14 +8,22 @@ namespace tamis {
 /// Dimension and scalar of a computation. T is what kernels compute with: lanes of `real`.
 template <int Dim, class T> struct space {
     static_assert(Dim >= 1 && Dim <= 3, "tamis: the dimension is 1, 2 or 3");
+    /// Number of dimensions.
     static constexpr int dim = Dim;
+    /// Number of lanes.
     static constexpr int width = lane<T>::width;
+    /// What kernels compute with.
     using scalar = T;
+    /// The number in a lane.
     using real = typename lane<T>::real;
-    // Eigen aligns small vectors to their size, which would leave holes between the columns of a slot.
+    /// Alignment of small matrices: Eigen's own, to their size, would leave holes between the columns of a slot.
     static constexpr int align = static_cast<int>(Eigen::DontAlign);
+    /// Dim numbers.
     using vector = Eigen::Matrix<T, Dim, 1, align>;
+    /// Dim x Dim numbers.
     using tensor = Eigen::Matrix<T, Dim, Dim, align>;
+    /// A tensor of three axes in every dimension.
+    using tensor_3x3 = Eigen::Matrix<T, 3, 3, align>;
 };
 
 /// A point or vector of the problem, as users see it.

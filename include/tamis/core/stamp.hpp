@@ -4,13 +4,20 @@
 
 namespace tamis::detail {
 
-/// Tells one state of an object from every other state of every other object: renewed at each change, and in each copy.
+/// Tells one state of an object from every other state of every other object: renewed at each change, in each copy, and
+/// where the object is moved from.
 class stamp {
   public:
     stamp() = default;
     stamp(const stamp&) {}
     stamp& operator=(const stamp&) {
         renew();
+        return *this;
+    }
+    stamp(stamp&& from) noexcept { from.renew(); }
+    stamp& operator=(stamp&& from) noexcept {
+        renew();
+        from.renew();
         return *this;
     }
     void renew() { number_ = next(); }

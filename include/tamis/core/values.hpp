@@ -30,6 +30,43 @@ template <class S, class Tensor> TAMIS_INLINE void pack(symmetric_field::value<S
     });
 }
 
+/// A symmetric tensor in storage, whose components are `Stride` numbers apart: reads as a full one, and is written as a
+/// whole. Of a tensor that is not symmetric the upper half counts. Only `p[f]` itself is written to, not a copy of it,
+/// which would still read as before.
+template <class Full, int Stored, int Stride = 1> class stored_symmetric : public Full {
+  public:
+    using number = typename Full::Scalar;
+    static constexpr int rows = Full::RowsAtCompileTime;
+
+    TAMIS_INLINE explicit stored_symmetric(number* first) : Full(read(first)), first_(first) {}
+    stored_symmetric(const stored_symmetric&) = default;
+    void operator=(const stored_symmetric&) = delete;
+
+    TAMIS_INLINE static Full read(const number* first) {
+        Full full;
+        unroll<rows * rows>([&](auto k) TAMIS_INLINE_LAMBDA {
+            constexpr int d = k / rows, e = k % rows, place = packed(rows, d, e);
+            if constexpr (place < Stored)
+                full(d, e) = first[place * Stride];
+            else
+                full(d, e) = constant<number>(0);
+        });
+        return full;
+    }
+    template <class E> TAMIS_INLINE void operator=(const Eigen::MatrixBase<E>& full) const&& { write(full); }
+    template <class E> TAMIS_INLINE void operator+=(const Eigen::MatrixBase<E>& more) const&& { write(*this + more); }
+    template <class E> TAMIS_INLINE void operator-=(const Eigen::MatrixBase<E>& less) const&& { write(*this - less); }
+
+  private:
+    number* first_;
+    TAMIS_INLINE void write(const Full& full) const {
+        unroll<rows * rows>([&](auto k) TAMIS_INLINE_LAMBDA {
+            constexpr int d = k / rows, e = k % rows, place = packed(rows, d, e);
+            if constexpr (d <= e && place < Stored) first_[place * Stride] = full(d, e);
+        });
+    }
+};
+
 /// Component c of a scalar or a small matrix.
 template <class S, class Value> TAMIS_INLINE auto& component(Value& value, int c) {
     if constexpr (std::same_as<std::remove_const_t<Value>, typename S::scalar>)
@@ -44,13 +81,19 @@ template <class S, class F> struct held_value { typename F::template value<S> va
 
 /// One row of fields: one value each, in W lanes.
 template <class S, class List> struct values;
+/// One row of the fields F.
 template <class S, class... F> struct values<S, fields<F...>> : detail::held_value<S, std::remove_const_t<F>>... {
+    /// The fields.
     using list = fields<F...>;
+    /// How many numbers a lane of the row has.
     static constexpr int components = (0 + ... + F::template components<S>);
 
-    /// The value of G; in storage, where fields may share a column, that of G's column.
-    template <class G> TAMIS_INLINE auto& get() { return detail::held_value<S, place_of<G>>::value; }
-    template <class G> TAMIS_INLINE const auto& get() const { return detail::held_value<S, place_of<G>>::value; }
+    /// The value of field G.
+    template <class G> TAMIS_INLINE auto& get() { return detail::held_value<S, std::remove_const_t<G>>::value; }
+    /// The value of field G, to read.
+    template <class G> TAMIS_INLINE const auto& get() const {
+        return detail::held_value<S, std::remove_const_t<G>>::value;
+    }
     /// Number of components before those of G.
     template <class G> static constexpr int first() {
         static_assert(stores<list, G>,
@@ -58,16 +101,15 @@ template <class S, class... F> struct values<S, fields<F...>> : detail::held_val
                       "last argument, fields<...>{}");
         int c = 0;
         bool found = false;
-        ((found = found || std::same_as<std::remove_const_t<F>, detail::column_of_t<G>>,
+        ((found = found || std::same_as<std::remove_const_t<F>, std::remove_const_t<G>>,
           c += found ? 0 : F::template components<S>),
          ...);
         return c;
     }
+    /// Makes all values 0.
     TAMIS_INLINE void set_zero() { (zero(get<F>()), ...); }
 
   private:
-    template <class G> using place_of =
-        std::conditional_t<contains<list, G>, std::remove_const_t<G>, detail::column_of_t<G>>;
     template <class Value> TAMIS_INLINE static void zero(Value& value) {
         if constexpr (std::same_as<Value, typename S::scalar>)
             value = Value(typename S::real(0));
@@ -79,7 +121,9 @@ template <class S, class... F> struct values<S, fields<F...>> : detail::held_val
 
 /// Values shown to a policy: exactly the fields it declared, const where it only reads.
 template <class Values, class Shown> struct view {
+    /// The row.
     Values& all;
+    /// The value of field F, which must be among the fields shown.
     template <class F> TAMIS_INLINE decltype(auto) operator[](F) const {
         static_assert(contains<Shown, F>,
                       "tamis: a policy touches a field it did not declare; add it to the policy's "

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 
 namespace tamis::detail {
 
@@ -13,6 +15,15 @@ template <class S> struct frame {
     typename S::real spacing, inverse_spacing;
     std::array<typename S::real, static_cast<std::size_t>(S::dim)> corner;  // of lane 0's cell
 };
+
+/// So many times the round-off of numbers near 1.
+template <class Real> Real round_offs(double count) {
+    using known = std::conditional_t<std::numeric_limits<Real>::is_specialized, Real, double>;
+    return constant<Real>(count * static_cast<double>(std::numeric_limits<known>::epsilon()));
+}
+/// How near to an edge of its cell a particle is on it, in cells. With linear functions round-off, which moves it to
+/// and fro, must not give the nodes beyond hardly any mass, and then an acceleration without bounds.
+template <class Shape, class Real> Real edge_width() { return Shape::support == 2 ? round_offs<Real>(2) : Real(0); }
 
 /// How a grid is laid out for a shape and W lanes: cells of the bookkeeping (centred on nodes for shapes with shift
 /// 0.5), and node rows along x padded to whole blocks of W. Node i of an axis is stored at i + ghosts; cell c reaches
@@ -104,13 +115,19 @@ template <class S, class Shape> class lattice {
         return node_place(node);
     }
 
-    /// Where the node at a storage place is.
-    point<D, real> place_of(std::size_t place) const {
+    /// Which node of the grid is at a storage place; ghosts and padding have indices that the grid has not.
+    cell_index node_of(std::size_t place) const {
         const std::array<std::size_t, 3> along{D == 1 ? place : place % row_, D == 1 ? 0 : place % plane_ / row_,
                                                D < 3 ? 0 : place / plane_};
+        cell_index node{0, 0, 0};
+        for (int d = 0; d < D; ++d) node[at(d)] = static_cast<int>(along[at(d)]) - ghosts<Shape>;
+        return node;
+    }
+    /// Where the node at a storage place is.
+    point<D, real> place_of(std::size_t place) const {
+        const cell_index node = node_of(place);
         point<D, real> where;
-        for (int d = 0; d < D; ++d)
-            where[d] = grid_.lower()[d] + grid_.spacing() * (real(along[at(d)]) - real(ghosts<Shape>));
+        for (int d = 0; d < D; ++d) where[d] = grid_.lower()[d] + grid_.spacing() * real(node[at(d)]);
         return where;
     }
 
@@ -158,6 +175,22 @@ template <class S, class Shape> class lattice {
             if (c == bins_[at(d)] - 1) local[d] = std::min<real>(local[d], real(1) - real(Shape::shift));
         }
         return true;
+    }
+    /// Is a place in a cell on an edge where functions have slopes, and no weights but those of round-off? Nodes beyond
+    /// it may have no mass.
+    bool on_edge(const cell_index& cell, const point<D, real>& local) const {
+        bool yes = false;
+        for (int d = 0; d < D; ++d) {
+            const real& r = local[d];
+            if constexpr (N == 2)
+                yes = yes || r == real(0) || r == real(1);
+            else if constexpr (ghosts < Shape >> 0) {
+                const real near = constant<real>(Shape::shift) + round_offs<real>(64), far = real(1) - near;
+                if (grid_.wraps(d)) continue;
+                yes = yes || (cell[at(d)] == 0 && r <= near) || (cell[at(d)] == bins_[at(d)] - 1 && r >= far);
+            }
+        }
+        return yes;
     }
     /// Along a periodic axis: the cell where a place is that may have left the box. False where that is none.
     bool bring_back(int d, int& cell, const real& local) const {

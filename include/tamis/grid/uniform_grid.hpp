@@ -6,19 +6,26 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 namespace tamis {
 
-/// A box of cubic cells. Nodes are at the corners of cells, walls included.
+/// A box of cubic cells. Nodes are at the corners of cells, walls included. The number of coordinates is the dimension.
+///
+///     const uniform_grid box{{0., 0.}, {2., 1.}, 0.25};  // 8 x 4 cells, double
+///     const auto tube = uniform_grid{{0.f}, {1.f}, 0.01f}.wrapped(0);  // periodic, float
 template <int Dim, class Real = double> class uniform_grid {
   public:
+    /// Number of dimensions.
     static constexpr int dim = Dim;
+    /// Type of its numbers, and of those of all bodies on it.
     using real = Real;
+    /// A place (m).
     using vector = point<Dim, Real>;
 
     /// Box from `lower` to `upper` with cells of side `spacing`, all in units of length; the box is a whole number of
-    /// cells (to a millionth of its length). Throws `error` otherwise.
+    /// cells (to a millionth of its length), and a cell has 1024 or more numbers of its type. Throws `error` otherwise.
     uniform_grid(const Real (&lower)[Dim], const Real (&upper)[Dim], Real spacing) {
         for (std::size_t d = 0; d < Dim; ++d) {
             lower_[static_cast<Eigen::Index>(d)] = lower[d];
@@ -44,16 +51,29 @@ template <int Dim, class Real = double> class uniform_grid {
             cells_[static_cast<std::size_t>(d)] = n;
         }
         spacing_ = (upper_[0] - lower_[0]) / Real(cells_[0]);
+        if constexpr (std::numeric_limits<Real>::is_specialized)
+            for (int d = 0; d < Dim; ++d) {
+                using std::abs;
+                const Real farthest = std::max<Real>(abs(lower_[d]), abs(upper_[d]));
+                if (spacing_ < Real(1024) * std::numeric_limits<Real>::epsilon() * farthest)
+                    throw error(detail::sentence("uniform_grid: numbers near ", farthest, " (axis ", d,
+                                                 ") are too coarse for cells of ", spacing_,
+                                                 ": a cell has fewer than 1024 of them; give corners as double, or put "
+                                                 "the origin near the bodies"));
+            }
     }
 
+    /// The corner with the smallest coordinates (m).
     const vector& lower() const { return lower_; }
+    /// The corner with the largest coordinates (m).
     const vector& upper() const { return upper_; }
-    /// Side of a cell.
+    /// Side of a cell (m).
     Real spacing() const { return spacing_; }
     /// Number of cells along axis d; there is one node more.
     int cells(int d) const { return cells_[static_cast<std::size_t>(d)]; }
 
-    /// The same box, periodic along axis d: its upper wall is its lower one.
+    /// The same box, periodic along axis d: its upper wall is its lower one. Throws `error` if there is no such axis,
+    /// or if it has fewer than 3 cells.
     uniform_grid wrapped(int d) const {
         if (d < 0 || d >= Dim) throw error(detail::sentence("uniform_grid: there is no axis ", d, " to wrap"));
         if (cells(d) < 3)
@@ -63,9 +83,10 @@ template <int Dim, class Real = double> class uniform_grid {
         other.wraps_[static_cast<std::size_t>(d)] = true;
         return other;
     }
+    /// Is it periodic along axis d?
     bool wraps(int d) const { return wraps_[static_cast<std::size_t>(d)]; }
 
-    /// Where node (i, j, k) is. Nodes on the walls are exactly there.
+    /// Where node (i, j, k) is (m). Nodes on the walls are exactly there.
     vector node(const std::array<int, 3>& index) const {
         vector at;
         for (int d = 0; d < Dim; ++d) {
@@ -93,6 +114,14 @@ template <int Dim, class Real = double> class uniform_grid {
 
 namespace detail {
 
+template <class G>
+concept GridOfCells = requires(const G& grid) {
+    typename G::real;
+    G::dim;
+    grid.spacing();
+    grid.cells(0);
+};
+
 /// The number type of a grid given by plain numbers: whole numbers are taken as double.
 template <class A, class B, class H> using grid_real =
     std::conditional_t<std::is_integral_v<std::common_type_t<A, B, H>>, double, std::common_type_t<A, B, H>>;
@@ -101,5 +130,19 @@ template <class A, class B, class H> using grid_real =
 
 template <class A, class B, class H, std::size_t N> uniform_grid(const A (&)[N], const B (&)[N], H)
     -> uniform_grid<static_cast<int>(N), detail::grid_real<A, B, H>>;
+
+/// Corners that have not the same number of components.
+template <class Real> class uniform_grid<0, Real> {
+    static_assert(sizeof(Real) == 0,
+                  "tamis: the corners of uniform_grid{lower, upper, spacing} have unlike numbers of components; give "
+                  "each one for every axis, uniform_grid{{0., 0.}, {1., 1.}, 0.1} in 2D");
+
+  public:
+    /// Never made.
+    template <class A, class B, std::size_t N, std::size_t M> uniform_grid(const A (&)[N], const B (&)[M], Real) {}
+};
+template <class A, class B, class H, std::size_t N, std::size_t M>
+requires(N != M) uniform_grid(const A (&)[N], const B (&)[M], H)
+->uniform_grid<0, detail::grid_real<A, B, H>>;
 
 }  // namespace tamis

@@ -48,8 +48,11 @@ concept DampingRate = std::convertible_to<Alpha, double> || std::invocable<const
 template <detail::DampingRate Alpha> class grid_damping {
   public:
     static constexpr std::string_view name = "grid_damping";
+    /// alpha (1/s).
     explicit grid_damping(Alpha alpha) : rate_(name, alpha) {}
     double damping(double t) const { return rate_.at(t); }
+    /// 1/alpha: a larger step would turn velocities round (s).
+    double largest_step(double t) const { return 1 / rate_.at(t); }
 
   private:
     detail::damping_rate<Alpha> rate_;
@@ -62,10 +65,12 @@ template <detail::DampingRate Alpha> class particle_damping {
   public:
     static constexpr std::string_view name = "particle_damping";
     static constexpr bool in_lanes = true;
+    /// alpha (1/s).
     explicit particle_damping(Alpha alpha) : rate_(name, alpha) {}
     template <class V> V acceleration(const V&, const V& v, double t) const {
         return v * constant<typename V::Scalar>(-rate_.at(t));
     }
+    double largest_step(double t) const { return 1 / rate_.at(t); }
 
   private:
     detail::damping_rate<Alpha> rate_;
@@ -98,6 +103,7 @@ class kinetic_feedback {
     /// The present rate (1/s).
     double alpha() const { return alpha_; }
     double damping(double) const { return alpha_; }
+    double largest_step(double) const { return 1 / maximum_; }
     void sees(double kinetic, double mass, double dt) {
         if (!(mass > 0)) return;
         const double next = alpha_ + dt * gain_ * 2 * (kinetic - target_) / mass;

@@ -4,10 +4,11 @@
 namespace tamis {
 
 /// force(x, t), in newtons, on each particle whose place is in a region when its body is made; it follows the particle.
-/// In 1D a number will do. Throws `error` at the first step if no particle of the step's bodies is in the region.
+/// In 1D a number will do. A body may come later: `integrate` warns at its end if no particle was in the region so far.
 template <class Region, class Force> struct particle_force {
     static constexpr std::string_view name = "particle_force";
     Region region;
+    /// Force (N) at a place (m) and time (s).
     Force value;
     bool chooses(const auto& x) const { return region(x); }
     auto force(const auto& x, auto t) const {
@@ -22,12 +23,14 @@ template <class Region, class Force> particle_force(Region, Force) -> particle_f
 
 /// A force per area, value(x, n, t) in Pa, on the faces at a body's surface for which region(x, n), or region(x), is
 /// true: x is the face's centre (m), n its outward unit normal, along an axis. A pressure is -p n. Faces are those of
-/// the cubes that particles are when the body is made, where there is no particle of the body beyond. They follow the
-/// particle and keep the area and direction they had then: the traction is a nominal one. Throws `error` at the first
-/// step if no face of the step's bodies is in the region.
+/// the cubes that particles are when the body's first step comes, where there is no particle of the body beyond;
+/// particles that are no lattice of equal cubes share the outer faces of cells. They follow the particle and keep the
+/// area and direction they had then: the traction is a nominal one. `integrate` warns at its end if no face was in the
+/// region so far.
 template <class Region, class Value> struct traction {
     static constexpr std::string_view name = "traction";
     Region region;
+    /// Traction (Pa) at a place (m), with its outward normal, at a time (s).
     Value value;
     bool takes(const auto& x, const auto& n) const {
         if constexpr (std::invocable<const Region&, decltype(x), decltype(n)>)

@@ -49,6 +49,7 @@ struct unloaded {
 
 /// The same acceleration everywhere and always.
 template <class Vector> struct gravity {
+    /// The acceleration (m/s^2).
     Vector g;
     static constexpr bool in_lanes = true;
     template <class V> V acceleration(const V&, const V&, auto) const {
@@ -64,6 +65,7 @@ template <class Vector> gravity(Vector) -> gravity<Vector>;
 
 /// An acceleration f(x, v, t) given as a function, for instance a lambda.
 template <class Function> struct body_acceleration {
+    /// Acceleration (m/s^2) at a place (m), of a velocity (m/s), at a time (s).
     Function function;
     auto acceleration(const auto& x, const auto& v,
                       auto t) const requires std::invocable<const Function&, decltype(x), decltype(v), decltype(t)> {

@@ -12,7 +12,9 @@ namespace tamis {
 ///
 ///     loads{gravity{point<2, double>(0, -9.81)}, grid_damping{5.}, traction{at_the_end, push}}
 template <class... Load> struct loads {
+    /// The loads.
     std::tuple<Load...> all;
+    /// Of one load or more.
     constexpr explicit loads(Load... each) : all(std::move(each)...) {}
 };
 template <class... Load> loads(Load...) -> loads<Load...>;
@@ -20,7 +22,10 @@ template <class... Load> loads(Load...) -> loads<Load...>;
 namespace field {
 
 /// How much of the force of the K-th load, a `particle_force`, a particle takes: 1 or, where it was not chosen, 0.
-template <int K> struct chosen : scalar_field { static constexpr std::string_view name = "chosen"; };
+template <int K> struct chosen : scalar_field {
+    /// The same for every K.
+    static constexpr std::string_view name = "chosen";
+};
 /// Areas (m^(Dim-1)) of a particle's faces that the K-th load, a `traction`, acts on, in the reference state: on the
 /// lower and the upper side of x, of y, of z; 0 where it does not.
 template <int K> struct faces {

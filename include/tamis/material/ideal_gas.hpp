@@ -21,7 +21,9 @@ struct no_viscosity {
 ///
 /// l is a length (m), usually the grid's spacing; c the speed of sound. Its work is heat.
 struct artificial_viscosity {
+    /// A length l (m), as a rule the grid's spacing.
     double length;
+    /// The coefficients.
     double linear = 0.5, quadratic = 2;
     void check() const {
         if (!(length > 0 && std::isfinite(length)))
@@ -45,8 +47,11 @@ struct artificial_viscosity {
 /// well, which this law leaves out: its error there is of second order in the amplitude. Where J is not positive the
 /// stress is NaN, which stops a run by `integrate`.
 template <class Viscosity> struct ideal_gas_of {
+    /// Ratio of heats, density (kg/m^Dim) and pressure (Pa) at first.
     double gamma, density, pressure;
+    /// `artificial_viscosity`, or none.
     [[no_unique_address]] Viscosity viscosity{};
+    /// Is there one?
     static constexpr bool viscous = !requires { requires Viscosity::never; };
     using on_particles =
         std::conditional_t<viscous,
@@ -118,6 +123,7 @@ template <class Viscosity> struct ideal_gas_of {
                (constant<T>(viscosity.quadratic * viscosity.quadratic) * rate + constant<T>(viscosity.linear) * c);
     }
 };
+/// Without artificial viscosity.
 using ideal_gas = ideal_gas_of<no_viscosity>;
 /// With artificial viscosity, for shocks.
 using shocked_gas = ideal_gas_of<artificial_viscosity>;

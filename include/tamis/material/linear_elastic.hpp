@@ -36,6 +36,7 @@ template <class Tensor> Tensor elastic_strain(double poisson, const Tensor& tau)
 
 /// Isotropic linear elasticity in small strain: in 1D sigma = E epsilon, plane strain in 2D, 3D. Pa and kg/m^3.
 struct linear_elastic {
+    /// Young's modulus (Pa), Poisson's ratio, density (kg/m^Dim).
     double young, poisson = 0, density;
     using on_particles = fields<const field::stress>;
     static constexpr std::string_view name = "linear_elastic";
@@ -62,6 +63,7 @@ struct linear_elastic {
 
 /// Linear elasticity whose Young's modulus varies from particle to particle: `p[E]`, at first `young`.
 struct varying_elastic {
+    /// Young's modulus (Pa), Poisson's ratio, density (kg/m^Dim).
     double young, poisson = 0, density;
     using on_particles = fields<const field::stress, const field::modulus>;
     static constexpr std::string_view name = "varying_elastic";

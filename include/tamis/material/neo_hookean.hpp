@@ -15,8 +15,11 @@ namespace volumetric {
 /// U = (ln J)^2/2 (Bonet & Wood, *Nonlinear Continuum Mechanics for Finite Element Analysis*, compressible
 /// neo-Hookean material).
 struct logarithmic {
+    /// Is the shear energy that of J^(-1/3) F?
     static constexpr bool isochoric = false;
+    /// J dU/dJ.
     template <class T> static TAMIS_INLINE T stress(const T& J) { return detail::logarithm(J); }
+    /// U(J).
     template <class T> static TAMIS_INLINE T energy(const T& J) {
         const T log_J = detail::logarithm(J);
         return constant<T>(0.5) * log_J * log_J;
@@ -24,14 +27,18 @@ struct logarithmic {
 };
 /// U = ((J^2 - 1)/2 - ln J)/2 (Simo & Hughes, *Computational Inelasticity*, section 9.2).
 struct quadratic {
+    /// Is the shear energy that of J^(-1/3) F?
     static constexpr bool isochoric = false;
+    /// J dU/dJ.
     template <class T> static TAMIS_INLINE T stress(const T& J) { return constant<T>(0.5) * (J * J - constant<T>(1)); }
+    /// U(J).
     template <class T> static TAMIS_INLINE T energy(const T& J) {
         return constant<T>(0.5) * (stress(J) - detail::logarithm(J));
     }
 };
 /// `quadratic` with shear and volume apart (Simo & Hughes, section 9.2).
 struct split : quadratic {
+    /// Is the shear energy that of J^(-1/3) F?
     static constexpr bool isochoric = true;
 };
 
@@ -49,6 +56,7 @@ struct split : quadratic {
 /// (`linear_elastic` in 1D is a bar instead, free sideways). Where J is not positive the stress is NaN, which stops a
 /// run by `integrate`. Pa and kg/m^Dim.
 template <class Volumetric> struct neo_hookean_of {
+    /// Young's modulus (Pa), Poisson's ratio, density (kg/m^Dim).
     double young, poisson = 0, density;
     using on_particles = fields<const field::deformation>;
     static constexpr std::string_view name = "neo_hookean";

@@ -2,6 +2,7 @@
 #include <tamis/core/error.hpp>
 #include <tamis/core/names.hpp>
 #include <tamis/core/tensor.hpp>
+#include <tamis/material/strain.hpp>
 #include <tamis/material/tait.hpp>
 
 #include <cmath>
@@ -17,14 +18,18 @@ namespace tamis {
 /// 2D are flows that are the same along the axes left out: in 1D the viscous stress is (4/3 mu + kappa) dv/dx. The
 /// law's own stress must not be read from the particle, where it is mixed with the viscous one. Stores the density.
 ///
-/// Steps are explicit, so besides the Courant number dt must stay below about h^2 rho/(2 Dim (4/3 mu + kappa));
-/// `integrate` does not look for that.
+/// Steps are explicit, so besides the Courant number dt must stay below about h^2 rho/(2 Dim (4/3 mu + kappa)):
+/// `largest_step`, of which `integrate` takes a share.
 template <class Law> struct newtonian {
+    /// The law that gives the pressure.
     Law law;
+    /// mu and kappa (Pa s).
     double viscosity, bulk_viscosity = 0;
+    /// That of the law (kg/m^Dim); leave it out.
     double density = law.density;
     using on_particles = merge<on_particles_t<Law>, fields<field::density, field::mass, field::volume>>;
     static constexpr std::string_view name = "newtonian";
+    static constexpr bool three_by_three = ThreeByThree<Law>;
     static_assert(!contains<on_particles_t<Law>, field::stress>,
                   "tamis: newtonian adds to the stress that a law makes of other fields, but this law adds to the "
                   "stress itself; give one that does not read field::stress, such as tait or neo_hookean");
@@ -49,6 +54,10 @@ template <class Law> struct newtonian {
             return law.wave_speed(dim);
         else
             return law.wave_speed();
+    }
+    /// By viscosity (s), for cells of side h (m).
+    double largest_step(double h, int dim) const {
+        return h * h * density / (2 * dim * (viscosity * 4 / 3 + bulk_viscosity));
     }
     /// Stored energy of the law inside (J/m^Dim of reference volume).
     auto energy(auto&& p, const auto& tau) const requires requires { law.energy(p, tau); }

@@ -15,11 +15,13 @@ namespace pressure_rate {
 /// particles are held, dp/dt = -v . grad p - gamma p div v = (gamma - 1) v . grad p - gamma div(p v) (Perez, ADMPM,
 /// 2021, Eq. 1.51).
 struct by_motion {
+    /// Is the flow past moving particles needed?
     static constexpr bool carries_when_moving = false;
 };
 /// That of fixed points, for moving particles too. Wrong for those, whose v . grad p is counted twice: once by
 /// the rate and once by the motion. Offered to reproduce ADMPM, not for use.
 struct admpm {
+    /// Is the flow past moving particles needed?
     static constexpr bool carries_when_moving = true;
 };
 
@@ -36,9 +38,12 @@ struct admpm {
 /// leave out rho v . grad v and the change of density, whose parts are of second order in the amplitude like that of
 /// v . grad p. Where J is not positive the stress is NaN, which stops a run by `integrate`.
 template <class Rate> struct pressure_gas_of {
+    /// Ratio of heats, density (kg/m^Dim), pressure of the reference state and ambient pressure (Pa).
     double gamma, density, pressure, ambient = 0;
     using on_particles = fields<field::pressure>;
+    /// What the law wants to know of the flow past a particle.
     using carries = field::pressure;
+    /// Of moving particles too?
     static constexpr bool carries_when_moving = Rate::carries_when_moving;
     static constexpr std::string_view name = "pressure_gas";
 
@@ -90,6 +95,7 @@ template <class Rate> struct pressure_gas_of {
         return detail::isotropic<Tensor>(constant<T>(ambient) - now);
     }
 };
+/// By the rate that goes with the motion of the particles.
 using pressure_gas = pressure_gas_of<pressure_rate::by_motion>;
 /// ADMPM's gas: the rate of a fixed point, whether particles move or not.
 using admpm_gas = pressure_gas_of<pressure_rate::admpm>;

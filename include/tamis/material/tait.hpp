@@ -16,6 +16,7 @@ namespace tamis {
 /// V0. `density` (kg/m^Dim) is that of the particles `make_body` makes. Stores the density. Pressure can be negative:
 /// the fluid does not tear.
 struct tait {
+    /// K (Pa), n, density of the particles that `make_body` makes (kg/m^Dim).
     double bulk, exponent = 7, density;
     using on_particles = fields<const field::density, const field::mass, const field::volume>;
     static constexpr std::string_view name = "tait";

@@ -26,6 +26,7 @@ namespace tamis {
 /// Throws `error` where the file cannot be written. Solver and bodies must outlive it.
 template <class Lattice, class Shape, class... Body> class dump_output {
   public:
+    /// Of these bodies, into a file.
     template <class Solver> dump_output(const Solver& mpm, std::tuple<Body&...> all, std::filesystem::path path)
         : dump_output(
               mpm.lattice(), mpm.functions(), [&mpm] { return mpm.crossings(); }, all, std::move(path)) {}
@@ -115,22 +116,6 @@ template <class Lattice, class Shape, class... Body> class dump_output {
         }
         out << '\n';
     }
-    /// One field of a particle under its name. Weights that held particles keep are not listed: each node's are, with
-    /// the node.
-    template <class S, class F, class Store>
-    static void put_field(std::ostream& out, const Store& store, std::uint32_t slot, int l) {
-        constexpr bool listed = std::is_base_of_v<scalar_field, F> || std::is_base_of_v<vector_field, F> ||
-                                std::is_base_of_v<tensor_field, F> || std::is_base_of_v<symmetric_field, F>;
-        if constexpr (listed && !std::same_as<F, field::position>) {
-            out << ' ' << F::name;
-            const auto* first = store.lane_of(slot, l) + Store::slot::template first<F>() * S::width;
-            for (int c = 0; c < F::template components<S>; ++c) out << ' ' << first[c * S::width];
-        }
-    }
-    template <class S, class Store, class... F>
-    static void put_fields(std::ostream& out, const Store& store, std::uint32_t slot, int l, fields<F...>) {
-        (put_field<S, F>(out, store, slot, l), ...);
-    }
     std::vector<std::string> particle_texts() const {
         std::vector<std::string> texts;
         int k = 0;
@@ -140,10 +125,11 @@ template <class Lattice, class Shape, class... Body> class dump_output {
             for (const auto p : body) {
                 std::ostringstream text;
                 text.precision(std::numeric_limits<double>::max_digits10);
-                text << "body " << k << " particle " << n++ << " position";
-                put(text, point<dim, real>(p[symbols::x]));
-                put_fields<typename body_type::space_type>(text, body.store(), p.slot(), p.lane_index(),
-                                                           typename body_type::field_list{});
+                text << "body " << k << " particle " << n++;
+                each_stored_field(body, [&](auto field) {
+                    text << ' ' << field.name;
+                    for (const auto& value : field.values(p)) text << ' ' << value;
+                });
                 if constexpr (tells_density<body_type> && !body_type::has(symbols::rho))
                     text << " density " << density_of(body, p);
                 if constexpr (tells_strain<body_type> && !body_type::has(symbols::epsilon)) {

@@ -1,5 +1,5 @@
 #pragma once
-#include <tamis/particles/body.hpp>
+#include <tamis/run/body.hpp>
 
 namespace tamis {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <tamis/solver/integrate.hpp>
+#include <tamis/run/integrate.hpp>
 
 #include <chrono>
 #include <cstdio>

@@ -1,7 +1,7 @@
 #pragma once
 #include <tamis/core/each_of.hpp>
 #include <tamis/core/memory.hpp>
-#include <tamis/particles/reach.hpp>
+#include <tamis/run/reach.hpp>
 
 #include <Eigen/LU>
 
@@ -13,10 +13,15 @@ namespace tamis {
 
 /// What is known of a particle, or of a node: there, the mass-weighted means over the particles in its reach.
 template <int Dim, class Real> struct record {
+    /// Place (m).
     point<Dim, Real> position;
+    /// Mass (kg).
     Real mass;
+    /// Density (kg/m^Dim).
     Real density;
+    /// Velocity (m/s).
     point<Dim, Real> velocity;
+    /// Kirchhoff stress (Pa) and strain.
     matrix<Dim, Real> stress, strain;
 };
 
@@ -64,9 +69,12 @@ template <class Body, class Particle> auto record_of(const Body& body, const Par
 
 /// A node with its record, and what the particles' stresses push it with.
 template <int Dim, class Real> struct node_record {
-    std::array<int, 3> index;  // along x, y, z
+    /// Numbers along x, y, z.
+    std::array<int, 3> index;
+    /// Its mass, and means over the particles in its reach.
     record<Dim, Real> mean;
-    point<Dim, Real> internal_force;  // N
+    /// What stresses push it with (N).
+    point<Dim, Real> internal_force;
 };
 
 /// The nodes that have mass, in the grid's order, from the places and values that the particles have now.

@@ -1,7 +1,8 @@
 #pragma once
 #include <tamis/core/each_of.hpp>
 #include <tamis/observe/record.hpp>
-#include <tamis/solver/integrate.hpp>
+#include <tamis/run/integrate.hpp>
+#include <tamis/run/walk.hpp>
 
 #include <cmath>
 #include <functional>
@@ -12,15 +13,22 @@ namespace tamis {
 
 /// A particle with a field that is not a finite number.
 struct bad_particle {
-    int body;               // 0, 1, ...: which one of bodies(...)
-    long particle;          // place in the body's order
-    std::string field, at;  // the field's name; the particle's place, as text
+    /// 0, 1, ...: which one of bodies(...).
+    int body;
+    /// Place in the body's order.
+    long particle;
+    /// The field's name; the particle's place, as text.
+    std::string field, at;
 };
 /// What a watch tells: bad particles now, and the particles that went to another cell since it told the last time.
 struct watch_report {
+    /// Steps done.
     long step;
+    /// Time (s).
     double time;
+    /// Particles that are not numbers.
     std::vector<bad_particle> bad;
+    /// Particles that went to another cell since the last report.
     std::size_t crossings;
 };
 
@@ -38,18 +46,13 @@ inline std::ostream& operator<<(std::ostream& out, const watch_report& report) {
 namespace detail {
 
 /// The first of a particle's fields that is not finite; empty if there is none.
-template <class S, class Store, class... F>
-std::string bad_field(const Store& store, std::uint32_t slot, int l, fields<F...>) {
+template <class Body, class Particle> std::string bad_field(const Body& body, const Particle& p) {
     std::string found;
-    const auto look = [&](auto tag) {
-        using field_type = typename decltype(tag)::type;
-        const auto* first = store.lane_of(slot, l) + Store::slot::template first<field_type>() * S::width;
-        for (int c = 0; c < field_type::template components<S> && found.empty(); ++c) {
-            const auto value = first[c * S::width];
-            if (value - value != typename S::real(0)) found = std::string(field_type::name);
-        }
-    };
-    (look(std::type_identity<F>{}), ...);
+    each_stored_field(body, [&](auto field) {
+        if (!found.empty()) return;
+        for (const auto& value : field.values(p))
+            if (value - value != typename Body::real(0)) found = std::string(field.name);
+    });
     return found;
 }
 
@@ -57,11 +60,9 @@ template <class... Body> std::vector<bad_particle> bad_particles(const std::tupl
     std::vector<bad_particle> bad;
     int k = 0;
     const auto look = [&](const auto& body) {
-        using body_type = std::remove_cvref_t<decltype(body)>;
         long n = 0;
         for (const auto p : body) {
-            const std::string field = bad_field<typename body_type::space_type>(body.store(), p.slot(), p.lane_index(),
-                                                                                typename body_type::field_list{});
+            const std::string field = bad_field(body, p);
             if (!field.empty()) bad.push_back({k, n, field, list_of(p[symbols::x])});
             ++n;
         }
@@ -81,12 +82,14 @@ template <class... Body> std::vector<bad_particle> bad_particles(const std::tupl
 /// Solver and bodies must outlive it.
 template <class... Body> class watch {
   public:
+    /// With a report of your own.
     template <class Solver>
     watch(const Solver& mpm, std::tuple<Body&...> all, std::function<void(const watch_report&)> report)
         : all_(all),
           report_(std::move(report)),
           crossings_([&mpm] { return mpm.crossings(); }),
           told_(mpm.crossings()) {}
+    /// Writes to a stream.
     template <class Solver> watch(const Solver& mpm, std::tuple<Body&...> all, std::ostream& out)
         : watch(mpm, all, [&out](const watch_report& report) { out << report; }) {}
 

@@ -8,7 +8,10 @@
 namespace tamis {
 
 /// Values of the N functions that reach a particle along one axis, and their slopes per cell side.
-template <class T, int N> struct axis_weights { T w[N], dw[N]; };
+template <class T, int N> struct axis_weights {
+    T w[N];   ///< Values.
+    T dw[N];  ///< Slopes (per cell side).
+};
 
 /// A shape function of one axis; the library takes the tensor product over the axes.
 /// `support`: how many nodes reach a particle along an axis. `shift`: 0 where cells of the bookkeeping start at nodes,

@@ -38,6 +38,7 @@ class ugimp {
     static constexpr std::string_view name = "ugimp";
     static constexpr int support = 3;
     static constexpr double shift = 0.5;
+    /// Particles per cell along an axis, when undeformed. Throws `error` if there are none.
     explicit ugimp(int per_cell = 2) : half_(detail::half_of_domain("ugimp", per_cell)) {}
 
     template <class T> TAMIS_INLINE axis_weights<T, 3> on_axis(const T& r) const {
@@ -59,6 +60,7 @@ class cpgimp {
     static constexpr int support = 3;
     static constexpr double shift = 0.5;
     using on_particles = fields<const field::deformation>;
+    /// Particles per cell along an axis, when undeformed. Throws `error` if there are none.
     explicit cpgimp(int per_cell = 2) : half_(detail::half_of_domain("cpgimp", per_cell)), undeformed_(per_cell) {}
 
     template <class T> TAMIS_INLINE axis_weights<T, 3> on_axis(const T& r, const auto& p, int d) const {

@@ -1,115 +1,26 @@
 #pragma once
-#include <tamis/core/values.hpp>
 #include <tamis/shape/axis_weights.hpp>
+#include <tamis/shape/slope.hpp>
 
 namespace tamis::detail {
 
 /// Which lanes of a tile lie in a cell at the lower or the upper wall, as 1 and 0, per axis.
 template <class S> struct wall_lanes { typename S::scalar low[S::dim], high[S::dim]; };
 
-/// A tensor times the slope of a weight, multiplied out where it is added to something. Lives as long as its factors.
-template <class S, class Tensor, class Slope> struct tensor_on_slope {
-    const Tensor& t;
-    const Slope& g;
-
-    TAMIS_INLINE operator typename S::vector() const {
-        typename S::vector all = S::vector::Constant(typename S::scalar(typename S::real(0)));
-        all += *this;
-        return all;
-    }
-
-    TAMIS_INLINE friend void operator+=(typename S::vector& to, const tensor_on_slope& product) {
-        product.g.multiply(product.t, to, [](auto& sum, const auto&... a) TAMIS_INLINE_LAMBDA { sum += (a * ...); });
-    }
-    TAMIS_INLINE friend void operator-=(typename S::vector& to, const tensor_on_slope& product) {
-        product.g.multiply(product.t, to, [](auto& sum, const auto&... a) TAMIS_INLINE_LAMBDA { sum -= (a * ...); });
-    }
-};
-
-/// Slope of a weight that is a product over the axes. Times a tensor, it keeps what is the same along a row of nodes
-/// apart, so that it is computed once a row.
-template <class S> struct slope_of {
-    using T = typename S::scalar;
-    T dx, wx, w, d1, d2;  // slope and weight along x; weight over y and z, and its slopes
-
-    TAMIS_INLINE operator typename S::vector() const {
-        typename S::vector g;
-        if constexpr (S::dim == 1)
-            g[0] = dx;
-        else {
-            g[0] = dx * w;
-            g[1] = wx * d1;
-            if constexpr (S::dim == 3) g[2] = wx * d2;
-        }
-        return g;
-    }
-    TAMIS_INLINE T operator[](int d) const {
-        const typename S::vector g = *this;
-        return g[d];
-    }
-    template <class Tensor>
-    friend TAMIS_INLINE tensor_on_slope<S, Tensor, slope_of> operator*(const Eigen::MatrixBase<Tensor>& t,
-                                                                       const slope_of& g) {
-        return {t.derived(), g};
-    }
-    /// to += sign t g, components in two fused operations.
-    template <class Tensor, class Fused>
-    TAMIS_INLINE void multiply(const Tensor& t, typename S::vector& to, Fused add) const {
-        unroll<S::dim>([&](auto index) TAMIS_INLINE_LAMBDA {
-            constexpr int c = index;
-            if constexpr (S::dim == 1)
-                add(to[c], t(c, 0), dx);
-            else {
-                add(to[c], T(t(c, 0) * w), dx);
-                if constexpr (S::dim == 2)
-                    add(to[c], T(t(c, 1) * d1), wx);
-                else
-                    add(to[c], T(t(c, 1) * d1 + t(c, 2) * d2), wx);
-            }
-        });
-    }
-};
-
-/// As slope_of, of the sum of all weights of a row, which does not change along x.
-template <class S> struct slope_of_row {
-    using T = typename S::scalar;
-    T d1, d2;
-
-    TAMIS_INLINE operator typename S::vector() const {
-        typename S::vector g;
-        g[0] = T(typename S::real(0));
-        if constexpr (S::dim > 1) g[1] = d1;
-        if constexpr (S::dim == 3) g[2] = d2;
-        return g;
-    }
-    template <class Tensor>
-    friend TAMIS_INLINE tensor_on_slope<S, Tensor, slope_of_row> operator*(const Eigen::MatrixBase<Tensor>& t,
-                                                                           const slope_of_row& g) {
-        return {t.derived(), g};
-    }
-    template <class Tensor, class Fused>
-    TAMIS_INLINE void multiply(const Tensor& t, typename S::vector& to, Fused add) const {
-        static_assert(S::dim > 1);
-        unroll<S::dim>([&](auto index) TAMIS_INLINE_LAMBDA {
-            constexpr int c = index;
-            if constexpr (S::dim == 2)
-                add(to[c], T(t(c, 1) * d1));
-            else  // as for the nodes of the row: compilers make it once
-                add(to[c], T(t(c, 1) * d1 + t(c, 2) * d2));
-        });
-    }
-};
-
 /// In the place of a slope that nobody asked for.
 struct no_slope {};
 template <class T, int N> struct axis_values { T w[N]; };
+/// With weights times the offsets of nodes from the particle, w (x_i - X).
+template <class Axis, class T, int N> struct axis_with_offsets : Axis { T wx[N]; };
 
 /// Weights of the nodes around W particles: the product of N weights per axis. Without `Slopes` it has none to keep: a
 /// pass over particles keeps stencils in memory, and compilers would write them there.
-template <class S, int N, bool Slopes = true> struct stencil {
+/// `Offsets`: with weights times offsets of nodes too.
+template <class S, int N, bool Slopes = true, bool Offsets = false> struct stencil {
     using T = typename S::scalar;
     using real = typename S::real;
-    std::conditional_t<Slopes, axis_weights<T, N>, axis_values<T, N>> axis[S::dim];
+    using weights = std::conditional_t<Slopes, axis_weights<T, N>, axis_values<T, N>>;
+    std::conditional_t<Offsets, axis_with_offsets<weights, T, N>, weights> axis[S::dim];
 
     /// Slopes come per cell side and leave per unit of length. `particle`: what shapes that depend on it see of it.
     template <class Shape, class... Particle> TAMIS_INLINE void set(const Shape& shape, const typename S::vector& local,
@@ -142,6 +53,24 @@ template <class S, int N, bool Slopes = true> struct stencil {
                     fold_end<N - 1, N - 2, N - 3>(axis[d].dw, walls.high[d]);
                 }
             });
+    }
+
+    /// Weights times offsets, from the weights: the functions reproduce places (linear reproduction), so that the
+    /// offsets of an axis have no mean.
+    TAMIS_INLINE void set_offsets(const T& spacing) requires Offsets {
+        unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
+            T place = axis[d].w[1];
+            unroll<N - 2>([&](auto k) TAMIS_INLINE_LAMBDA { place += T(real(k + 2)) * axis[d].w[k + 2]; });
+            unroll<N>([&](auto k)
+                          TAMIS_INLINE_LAMBDA { axis[d].wx[k] = axis[d].w[k] * ((T(real(k)) - place) * spacing); });
+        });
+    }
+    /// sum w (x_i - X)^2 along an axis.
+    TAMIS_INLINE T second_moment(int d, const T& spacing) const requires Offsets {
+        // The offsets have no mean, so that squares may be of the number of the node.
+        T sum = axis[d].wx[1];
+        unroll<N - 2>([&](auto k) TAMIS_INLINE_LAMBDA { sum += T(real(k + 2)) * axis[d].wx[k + 2]; });
+        return sum * spacing;
     }
 
     struct weight_across {
@@ -180,6 +109,25 @@ template <class S, int N, bool Slopes = true> struct stencil {
         else
             return no_slope{};
     }
+    /// The weight times the offset of its node, in the form of a slope: a product over the axes of which one has the
+    /// offset. `q`: the weight across, from `row`; `r`: the row's number.
+    TAMIS_INLINE auto offset(int a, const across& q, int r) const {
+        if constexpr (!Offsets)
+            return no_slope{};
+        else {
+            const auto [d1, d2] = offsets_across(r);
+            return slope_of<S>{axis[0].wx[a], axis[0].w[a], q.w, d1, d2};
+        }
+    }
+    /// ... of the sum of a row's weights.
+    TAMIS_INLINE auto offset_of_sum(int r) const {
+        if constexpr (!Offsets)
+            return no_slope{};
+        else {
+            const auto [d1, d2] = offsets_across(r);
+            return slope_of_row<S>{d1, d2};
+        }
+    }
     /// Of the sum of a row's weights.
     TAMIS_INLINE static auto slope_of_sum(const across& q) {
         if constexpr (Slopes)
@@ -189,54 +137,23 @@ template <class S, int N, bool Slopes = true> struct stencil {
     }
 
   private:
+    struct two {
+        T d1, d2;
+    };
+    TAMIS_INLINE two offsets_across(int r) const requires Offsets {
+        [[maybe_unused]] const int a = r % N, b = r / N;
+        if constexpr (S::dim == 1)
+            return {T(real(0)), T(real(0))};
+        else if constexpr (S::dim == 2)
+            return {axis[1].wx[r], T(real(0))};
+        else
+            return {axis[1].wx[a] * axis[2].w[b], axis[1].w[a] * axis[2].wx[b]};
+    }
     template <int Ghost, int Wall, int Next> TAMIS_INLINE static void fold_end(T (&w)[N], const T& at_wall) {
         const T g = w[Ghost] * at_wall;
         w[Ghost] -= g;
         w[Wall] += g + g;
         w[Next] -= g;
-    }
-};
-
-/// Weights kept with a particle that never moves: per axis N weights, and N slopes where the shape's slopes vary.
-template <class Shape> struct held_weights {
-    static constexpr std::string_view name = "weights";
-    static constexpr int per_axis = Shape::support * (constant_slope<Shape> ? 1 : 2);
-    template <class S> using value = Eigen::Matrix<typename S::scalar, S::dim * per_axis, 1, S::align>;
-    template <class S> static constexpr int components = (S::dim * per_axis);
-
-    template <class S> TAMIS_INLINE static void keep(value<S>& to, const stencil<S, Shape::support>& from) {
-        constexpr int N = Shape::support;
-        unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
-            unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
-                to[d * per_axis + k] = from.axis[d].w[k];
-                if constexpr (!constant_slope<Shape>) to[d * per_axis + N + k] = from.axis[d].dw[k];
-            });
-        });
-    }
-    template <class S, bool Slopes> TAMIS_INLINE static void recall(stencil<S, Shape::support, Slopes>& to,
-                                                                    const value<S>& from,
-                                                                    const typename S::scalar& inverse_spacing) {
-        constexpr int N = Shape::support;
-        unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
-            unroll<N>([&](auto k) TAMIS_INLINE_LAMBDA {
-                to.axis[d].w[k] = from[d * per_axis + k];
-                if constexpr (!Slopes)
-                    return;
-                else if constexpr (constant_slope<Shape>) {
-                    static_assert(N == 2, "tamis: only two functions with constant slopes are a partition of unity");
-                    to.axis[d].dw[k] = k == 0 ? -inverse_spacing : inverse_spacing;
-                } else
-                    to.axis[d].dw[k] = from[d * per_axis + N + k];
-            });
-        });
-    }
-    /// Place in the cell along axis d, from component(c) of what was kept: the functions reproduce it (linear
-    /// reproduction).
-    template <class S, class Component> TAMIS_INLINE static auto place(int d, const Component& component) {
-        using number = std::remove_cvref_t<decltype(component(0))>;
-        number r(typename S::real(Shape::shift - ghosts<Shape>));
-        for (int k = 1; k < Shape::support; ++k) r += number(typename S::real(k)) * component(d * per_axis + k);
-        return r;
     }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <tamis/shape/linear.hpp>
-#include <tamis/solver/critical_rows.hpp>
+#include <tamis/run/critical_rows.hpp>
 #include <tamis/stability/lattice.hpp>
 
 #include <numbers>
@@ -10,8 +10,10 @@ namespace tamis::stability {
 /// Courant numbers c dt/h up to which nothing grows, in one dimension, at the worst place of the particles in their
 /// cells.
 struct critical_pair {
-    double inner, worst_offset;          // in an endless body
-    double free_end, worst_free_offset;  // in a bar with free ends
+    /// In an endless body, and the place of particles where it is smallest.
+    double inner, worst_offset;
+    /// In a bar with free ends, and the place of its end where it is smallest.
+    double free_end, worst_free_offset;
 };
 
 /// What counts as growth, per step.
@@ -28,7 +30,7 @@ template <class Shape, class Order> inline constexpr bool falls_with_mass =
 /// How many cells a step carries a disturbance.
 template <class Shape> constexpr int reach_of(int k) { return (k < 1 ? 1 : k) * (Shape::support - 1) + 3; }
 
-/// Of an endless body whose particles sit at one place in their cells.
+/// The critical number of an endless body whose particles sit at one place in their cells.
 template <class... Policies>
 double critical_inner(int per_cell, double offset, int reach, double most, const Policies&... policies) {
     const lattice_step<1> step(lattice<1>{per_cell, offset}, reach, policies...);
@@ -40,7 +42,7 @@ double critical_inner(int per_cell, double offset, int reach, double most, const
     return most;
 }
 
-/// `k`: order of the update, 0 for FLIP.
+/// The critical numbers of a composition. `k`: order of the update, 0 for FLIP.
 template <class Shape, class Update, class Order>
 critical_pair critical_numbers(int per_cell, int k, const Shape& shape, const Update& update, const Order& order) {
     critical_pair found{most_courant, 0, most_courant, 0};

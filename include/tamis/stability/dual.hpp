@@ -12,17 +12,26 @@ namespace tamis::stability {
 /// A number with its derivatives by N variables: forward differentiation of whatever is computed with it, exact to
 /// round-off. The solver takes it as the number type of its grid.
 template <int N> struct dual {
+    /// The number.
     double value = 0;
+    /// Its derivatives.
     std::array<double, static_cast<std::size_t>(N)> by{};
 
+    /// Zero.
     dual() = default;
+    /// A constant.
     template <class Number>
     requires std::is_arithmetic_v<Number> dual(Number a) : value(static_cast<double>(a)) {}
+    /// The number, without derivatives.
+    /// @{
     explicit operator double() const { return value; }
     explicit operator float() const { return static_cast<float>(value); }
     explicit operator int() const { return static_cast<int>(value); }
     explicit operator long() const { return static_cast<long>(value); }
+    /// @}
 
+    /// Arithmetic.
+    /// @{
     friend dual operator+(const dual& a) { return a; }
     friend dual operator-(const dual& a) { return chain(a, -a.value, -1); }
     friend dual operator+(const dual& a, const dual& b) { return chain(a, b, a.value + b.value, 1, 1); }
@@ -36,10 +45,14 @@ template <int N> struct dual {
     dual& operator-=(const dual& b) { return *this = *this - b; }
     dual& operator*=(const dual& b) { return *this = *this * b; }
     dual& operator/=(const dual& b) { return *this = *this / b; }
+    /// @}
     /// By value: branches are taken as they are without derivatives.
+    /// @{
     friend bool operator==(const dual& a, const dual& b) { return a.value == b.value; }
     friend auto operator<=>(const dual& a, const dual& b) { return a.value <=> b.value; }
-
+    /// @}
+    /// Functions.
+    /// @{
     friend dual sqrt(const dual& a) {
         const double root = std::sqrt(a.value);
         return chain(a, root, root > 0 ? 0.5 / root : 0);
@@ -49,6 +62,7 @@ template <int N> struct dual {
     friend dual exp(const dual& a) { return chain(a, std::exp(a.value), std::exp(a.value)); }
     friend dual floor(const dual& a) { return std::floor(a.value); }
     friend std::ostream& operator<<(std::ostream& out, const dual& a) { return out << a.value; }
+    /// @}
 
   private:
     static dual chain(const dual& a, double value, double by_a) {

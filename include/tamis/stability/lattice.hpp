@@ -11,6 +11,7 @@ template <int Dim> struct lattice {
     int per_cell = 2;
     /// From where they are in a whole cell's middle, along every axis, in cells.
     double offset = 0;
+    /// Poisson's ratio.
     double poisson = 0;
 };
 
@@ -19,6 +20,7 @@ template <int Dim> struct lattice {
 /// farther than its sweeps reach.
 template <int Dim> class lattice_step {
   public:
+    /// Phase of a wave from cell to cell, along each axis.
     using wave_numbers = std::array<double, static_cast<std::size_t>(Dim)>;
 
     /// `reach`: how many cells a disturbance goes in a step, at most.

@@ -1,6 +1,6 @@
 #pragma once
 #include <tamis/material/linear_elastic.hpp>
-#include <tamis/solver/solver.hpp>
+#include <tamis/run/solver.hpp>
 
 #include <Eigen/Core>
 

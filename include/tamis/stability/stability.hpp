@@ -1,7 +1,7 @@
 #pragma once
 #include <tamis/core/error.hpp>
 #include <tamis/material/linear_elastic.hpp>
-#include <tamis/solver/solver.hpp>
+#include <tamis/run/solver.hpp>
 #include <tamis/stability/dual.hpp>
 #include <tamis/stability/responses.hpp>
 #include <tamis/stability/step_matrix.hpp>
@@ -14,6 +14,7 @@ namespace tamis::stability {
 
 /// A bar of unit modulus and density on a grid of spacing 1, at rest and without stress.
 struct bar {
+    /// Cells of the bar, and particles per cell.
     int cells = 8, per_cell = 2;
     /// Where its first particles' cell begins, in cells from a node, 0 to 1: only for free ends.
     double offset = 0;

@@ -15,6 +15,7 @@ namespace tamis::stability {
 /// dt times velocities, velocities dt times stresses, and averaging orders strain twice.
 template <class Matrix> class step_matrix {
   public:
+    /// How many samples it takes.
     static constexpr int samples = 4;
     /// The time steps at which it is to be sampled.
     static constexpr double sample(int k) { return 0.25 * (k + 1); }
@@ -26,6 +27,7 @@ template <class Matrix> class step_matrix {
             for (std::size_t k = 0; k < samples; ++k) coefficients_[power] += at[k] * lagrange(k, power);
         }
     }
+    /// The matrix of a time step.
     Matrix operator()(double dt) const {
         return coefficients_[0] + dt * (coefficients_[1] + dt * (coefficients_[2] + dt * coefficients_[3]));
     }

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <numbers>
 
-#if defined(EIGEN_ALONE) && (defined(XSIMD_HPP) || defined(_OPENMP))
-#error "xsimd and OpenMP were switched off, and one of them is used"
+#if defined(EIGEN_ALONE) && (TAMIS_VECTOR_BYTES > 0 || defined(_OPENMP))
+#error "vectors and OpenMP were switched off, and one of them is used"
 #endif
 
 int main() {

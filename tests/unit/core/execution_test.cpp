@@ -1,6 +1,7 @@
 #include <tamis/core/execution.hpp>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -49,20 +50,55 @@ TEST_CASE("threads: every call once, whatever their number") {
 }
 
 TEST_CASE("threads: each begins with its own part of the calls, the same one every time") {
+    const threads run{2};
     for (int time = 0; time < 5; ++time) {
-        std::atomic<int> here{0}, there_are{0};
-        std::vector<int> by(10, -1);
-        threads{2}.for_each(10, [&](std::size_t k) {
-            by[k] = omp_get_thread_num();
-            there_are = omp_get_num_threads();
+        std::atomic<int> here{0};
+        std::vector<std::thread::id> by(10);
+        const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+        run.for_each(10, [&](std::size_t k) {
+            by[k] = std::this_thread::get_id();
             // Nobody is late: who has begun waits for the other.
-            if (k % 5 == 0 && there_are == 2)
-                for (++here; here < 2;) std::this_thread::yield();
+            if (k % 5 == 0)
+                for (++here; here < 2 && std::chrono::steady_clock::now() < patience;) std::this_thread::yield();
         });
-        CHECK(by[0] == 0);
-        CHECK(by[5] == there_are - 1);
-        for (const int thread : by) CHECK(thread >= 0);
+        CHECK(here == 2);
+        CHECK(by[0] == std::this_thread::get_id());
+        CHECK(by[5] != by[0]);
     }
+}
+
+TEST_CASE("threads: who is free does what the others have not begun") {
+    const threads run{3};
+    std::atomic<int> inside{0};
+    // Two of the three are kept by calls that end after the others' calls are all done, by the one that is left.
+    std::atomic<int> done{0};
+    run.for_each(100, [&](std::size_t) {
+        if (++inside <= 2)
+            while (done < 98) std::this_thread::yield();
+        else
+            ++done;
+    });
+    CHECK(done == 98);
+    // A call from inside of another has the caller only.
+    std::atomic<int> inner{0};
+    run.for_each(6, [&](std::size_t) { run.for_each(50, [&](std::size_t) { ++inner; }); });
+    CHECK(inner == 300);
+}
+
+TEST_CASE("threads: many short jobs, by copies and after an assignment, from several callers at once") {
+    threads run{4};
+    const threads copy = run;
+    run = threads{2};
+    CHECK(run.count() == 2);
+    std::atomic<long> sum{0};
+    const auto call = [&](const threads& by) {
+        for (int time = 0; time < 2000; ++time) by.for_each(7, [&](std::size_t k) { sum += static_cast<long>(k); });
+    };
+    std::thread one([&] { call(run); }), two([&] { call(run); }), three([&] { call(copy); });
+    one.join();
+    two.join();
+    three.join();
+    CHECK(sum == 3 * 2000 * 21);
 }
 
 TEST_CASE("threads: an exception comes out as it was thrown, and the other calls are made") {

@@ -33,16 +33,6 @@ TEST_CASE("fields: a union has every field once, at its first place, without con
                         fields<field::mass, field::velocity, temperature>>);
 }
 
-TEST_CASE("fields: fields that share a column get one column") {
-    using sharing = fields<field::mass, field::inverse_mass, field::momentum, field::velocity>;
-    STATIC_REQUIRE(same<merge<sharing>, fields<field::mass, field::velocity>>);
-    STATIC_REQUIRE(same<detail::merge_as_is<sharing, fields<const field::mass>>, sharing>);
-    STATIC_REQUIRE(stores<merge<sharing>, field::momentum>);
-    STATIC_REQUIRE(stores<merge<sharing>, const field::inverse_mass>);
-    STATIC_REQUIRE_FALSE(stores<merge<sharing>, field::force>);
-    STATIC_REQUIRE_FALSE(contains<merge<sharing>, field::momentum>);
-}
-
 TEST_CASE("fields: a list says what it contains and what it writes") {
     STATIC_REQUIRE(contains<reads_mass, field::mass>);
     STATIC_REQUIRE(contains<reads_mass, const field::velocity>);

@@ -1,9 +1,12 @@
 #include <tamis/core/space.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <utility>
+#include <vector>
 
 #include "catch.hpp"
 
@@ -67,7 +70,7 @@ template <class T> void lanes_are_independent() {
     }
 }
 
-#if TAMIS_XSIMD
+#if TAMIS_VECTOR_BYTES > 0
 template <class T, int K> void shifted_by() {
     const auto a = some<T>(3);
     const auto up = to(lane<T>::template up<K>(from<T>(a)));
@@ -88,14 +91,87 @@ template <class T> void shifts_lose_nothing() {
     [&]<int... K>(std::integer_sequence<int, K...>) { (shifted_by<T, K + 1>(), ...); }
     (std::make_integer_sequence<int, (width<T> < 4 ? width<T> : 4)>{});
 }
-template <class Real, std::size_t W> void lanes_of_width() {
-    using T = xsimd::make_sized_batch_t<Real, W>;
-    if constexpr (!std::is_void_v<T>) {
-        STATIC_REQUIRE(std::is_same_v<typename lanes<int{W}>::template type<Real>, T>);
-        STATIC_REQUIRE(width<T> == int{W});
+/// Within units in the last place of the standard's, over all exponents, and of what is no ordinary number.
+template <class T, class Ours, class Theirs> void as_the_standard(Ours ours, Theirs theirs, double least, double most) {
+    using real = typename lane<T>::real;
+    using limits = std::numeric_limits<real>;
+    std::vector<real> all{real(0),
+                          real(1),
+                          limits::min(),
+                          limits::denorm_min(),
+                          limits::max(),
+                          limits::infinity(),
+                          -limits::infinity(),
+                          real(-1),
+                          limits::quiet_NaN()};
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> between(least, most), near_one(0.7, 1.5);
+    for (int k = 0; k < 20000; ++k) {
+        const double power = between(random);
+        all.push_back(static_cast<real>(power));
+        all.push_back(
+            static_cast<real>(std::exp2(std::min(std::abs(power), limits::max_exponent - 1.) * (k % 2 ? 1 : -1))));
+        all.push_back(static_cast<real>(near_one(random)));
+    }
+    double worst = 0;
+    for (const real a : all) {
+        const real found = to(T(ours(T(a))))[std::size_t(width<T> - 1)], expected = theirs(a);
+        CAPTURE(a, found, expected, width<T>);
+        if (std::isnan(expected) || std::isinf(expected) || expected == 0)
+            CHECK((found == expected || (std::isnan(found) && std::isnan(expected))));
+        else
+            worst = std::max(worst, static_cast<double>(std::abs(found - expected)) /
+                                        std::max(double(limits::denorm_min()),
+                                                 double(limits::epsilon()) * double(std::abs(expected))));
+    }
+    CHECK(worst < 2);
+    CHECK(worst > 0);
+}
+template <class T> void functions_of_lanes() {
+    using real = typename lane<T>::real;
+    constexpr bool is_double = sizeof(real) == 8;
+    as_the_standard<T>([](T a) { return exp(a); }, [](real a) { return std::exp(a); }, is_double ? -760 : -110,
+                       is_double ? 720 : 95);
+    as_the_standard<T>([](T a) { return log(a); }, [](real a) { return std::log(a); }, is_double ? -1080 : -150,
+                       is_double ? 1030 : 130);
+    const auto a = some<T>(1), b = some<T>(4);
+    const T x = from<T>(a), y = from<T>(b);
+    for (std::size_t l = 0; l < a.size(); ++l) {
+        CHECK(to(T(abs(x)))[l] == std::abs(a[l]));
+        CHECK(to(T(min(x, y)))[l] == std::min(a[l], b[l]));
+        CHECK(to(T(max(x, y)))[l] == std::max(a[l], b[l]));
+        CHECK(to(T(sqrt(x * x)))[l] == std::sqrt(a[l] * a[l]));
+        CHECK(to(T(pow(abs(x), real(2.5))))[l] == std::pow(std::abs(a[l]), real(2.5)));
+        CHECK(to(T(pow(abs(x), y)))[l] == std::pow(std::abs(a[l]), b[l]));
+        CHECK(to(T(sin(x)))[l] == std::sin(a[l]));
+        CHECK(to(T(-x))[l] == -a[l]);
+        CHECK(to(T(x / (y * y + T(real(1)))))[l] == a[l] / (b[l] * b[l] + 1));
+        for (const auto& [mask, expected] : {std::pair{x < y, a[l] < b[l]},
+                                             {x <= y, a[l] <= b[l]},
+                                             {x > y, a[l] > b[l]},
+                                             {x >= y, a[l] >= b[l]},
+                                             {x == y, a[l] == b[l]},
+                                             {x != y, a[l] != b[l]},
+                                             {!(x < y), a[l] >= b[l]},
+                                             {x < y && y > T(real(0)), a[l] < b[l] && b[l] > 0},
+                                             {x < y || y > T(real(0)), a[l] < b[l] || b[l] > 0}})
+            CHECK(mask.get(int(l)) == expected);
+        // One lane alone is seen.
+        auto zeros = numbers<T>{};
+        zeros[l] = 1;
+        CHECK(lane<T>::any(from<T>(zeros) > T(real(0))));
+    }
+    CHECK(std::signbit(to(T(real(-0.)))[0]));
+}
+template <class Real, int W> void lanes_of_width() {
+    if constexpr (W * int(sizeof(Real)) <= TAMIS_VECTOR_BYTES) {
+        using T = typename lanes<W>::template type<Real>;
+        STATIC_REQUIRE(std::is_same_v<T, lane_vector<Real, W>>);
+        STATIC_REQUIRE(width<T> == W);
         lanes_are_independent<T>();
         shifts_lose_nothing<T>();
         exponential_of_all<T>();
+        functions_of_lanes<T>();
     }
 }
 #endif
@@ -115,7 +191,7 @@ TEST_CASE("lanes: a plain number is one lane") {
     CHECK(lane<float>::floor(-3.f) == -3);
 }
 
-#if TAMIS_XSIMD
+#if TAMIS_VECTOR_BYTES > 0
 TEST_CASE("lanes: vectors compute what their lanes would, at every width of this processor") {
     STATIC_REQUIRE(width<native_lanes::type<float>> == 2 * width<native_lanes::type<double>>);
     lanes_of_width<double, 2>();

@@ -183,7 +183,7 @@ TEST_CASE("lattice: a frame gives places, and only tiles at walls are folded") {
     CHECK_FALSE(detail::lattice<space<2, double>, linear>(box<2>()).at_wall({0, 0, 0}));
 }
 
-#if TAMIS_XSIMD
+#if TAMIS_VECTOR_BYTES > 0
 TEST_CASE("lattice: in a tile only the lane of the wall's cell is folded") {
     using T = native_lanes::type<double>;
     constexpr int W = lane<T>::width;

@@ -97,3 +97,21 @@ TEST_CASE("uniform_grid: every node once, i fastest") {
                                                    {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {3, 1, 0}};
     CHECK(seen == expected);
 }
+
+TEST_CASE("uniform_grid: axes of three cells or more may be wrapped") {
+    const uniform_grid grid{{0., 0.}, {3., 2.}, 1.};
+    CHECK(grid.wrapped(0).wraps(0));
+    CHECK_FALSE(grid.wrapped(0).wraps(1));
+    CHECK_FALSE(grid.wraps(0));
+    CHECK(names(complaint([&] { grid.wrapped(1); }), "2 cells along axis 1", "cannot be wrapped", "3 or more"));
+    for (const int axis : {-1, 2}) CHECK(names(complaint([&] { grid.wrapped(axis); }), "no axis", "to wrap"));
+}
+TEST_CASE("uniform_grid: numbers that are too coarse for its cells are refused") {
+    using namespace tamis;
+    REQUIRE_THROWS_AS((uniform_grid<2, float>{{4.5e6f, 5.5e6f}, {4.5e6f + 8, 5.5e6f + 8}, 0.25f}), error);
+    REQUIRE_THROWS_AS((uniform_grid<1, float>{{-1e5f}, {-1e5f + 8}, 0.25f}), error);
+    REQUIRE_THROWS_AS((uniform_grid<1, double>{{1e13}, {1e13 + 8}, 0.5}), error);
+    CHECK_NOTHROW(uniform_grid<2, double>{{4.5e6, 5.5e6}, {4.5e6 + 8, 5.5e6 + 8}, 0.25});
+    CHECK_NOTHROW(uniform_grid<1, float>{{0.f}, {1.f}, 1.f / 4000});
+    CHECK_NOTHROW(uniform_grid<1, float>{{-1000.f}, {-992.f}, 0.25f});
+}

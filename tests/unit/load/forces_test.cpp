@@ -156,21 +156,121 @@ TEMPLATE_TEST_CASE("particle force: chosen particles take it, and keep it where 
     }
 }
 
-TEST_CASE("forces: a region without a particle or face is named, when the bodies are known") {
+TEST_CASE("forces: a region without a particle or face is waited for, and named at the end of the run") {
     const auto nowhere = [](const auto&) { return false; };
-    const auto step_with = [&](const auto& load) {
+    const auto run_with = [&](const auto& load) {
         solver mpm{room<2>(), load};
+        mpm.when_warned(warnings_are::kept);
         auto block = mpm.make_body(law, cube, per_cell{2});
-        return complaint([&] { mpm.step(bodies(block), 0.01); });
+        integrate(mpm, bodies(block), {0, 0.01}, fixed_steps{1});
+        REQUIRE(mpm.warnings().size() == 1);
+        return mpm.warnings()[0];
     };
     const auto value = [](const auto& at, const auto&...) { return at; };
-    CHECK(names(step_with(loads{gravity{point<2, double>(0, 1)}, traction{nowhere, value}}),
+    CHECK(names(run_with(loads{gravity{point<2, double>(0, 1)}, traction{nowhere, value}}),
                 "load 2, a traction, has no face in its region"));
-    CHECK(names(step_with(particle_force{nowhere, value}), "load 1, a force on particles, has no particle"));
+    CHECK(names(run_with(particle_force{nowhere, value}), "load 1, a force on particles, has no particle"));
     // Another body may be the one that is loaded.
     solver mpm{room<2>(), traction{[](const auto& at) { return at[0] > 1.2 && at[0] < 1.3; }, value}};
     auto other = mpm.make_body(
         law, [](const auto& at) { return at[0] < 0.5; }, per_cell{2});
     auto block = mpm.make_body(law, cube, per_cell{2});
     CHECK(complaint([&] { mpm.step(bodies(other, block), 0.01); }) == "nothing");
+}
+
+namespace {
+
+/// Points of a bar of 20 x 3 cells, in every cell 1 to 4 columns of them, or in strata at random, and their volumes.
+struct uneven_points {
+    std::vector<point<2, double>> at;
+    std::vector<double> volume;
+    explicit uneven_points(bool at_random) {
+        unsigned state = 12345;
+        const auto share = [&] { return (state = state * 1103515245u + 12345u) / 4294967296.; };
+        const double h = 0.1;
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 20; ++i) {
+                const int n = at_random ? 2 : 1 + (i + 2 * j) % 4;
+                for (int b = 0; b < 2; ++b)
+                    for (int a = 0; a < n; ++a) {
+                        const double r = at_random ? (a + share()) / n : (a + 0.5) / n,
+                                     s = at_random ? (b + share()) / 2 : (b + 0.5) / 2;
+                        at.push_back({(i + r) * h, (j + s) * h});
+                        volume.push_back(h * h / (2 * n));
+                    }
+            }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("traction: on uneven particles the areas of a side add up to its own") {
+    const auto push = traction{[](const auto& at, const auto& n) { return n[0] > 0.5 && at[0] > 1.89; },
+                               [](const auto&, const auto&, double) { return point<2, double>(5, 0); }};
+    for (const bool at_random : {false, true}) {
+        const uneven_points cloud(at_random);
+        solver mpm{uniform_grid{{0., 0.}, {3., 0.3}, 0.1}, push};
+        auto bar = mpm.make_body_at(law, cloud.at, cloud.volume);
+        CHECK(std::abs(total_mass(bar) - 2 * 0.6) < 1e-12);
+        CHECK(std::abs(faces_of(std::as_const(bar)).area - 0.3) < 1e-12);
+        mpm.step(bodies(bar), 1e-4);
+        CHECK(std::abs(total_momentum(bar)[0] / 1e-4 - 1.5) < 1e-9);
+    }
+}
+
+TEST_CASE("traction: volumes that are set before the first step count, later ones do not") {
+    const uneven_points cloud(false);
+    solver mpm{uniform_grid{{0., 0.}, {3., 0.3}, 0.1},
+               traction{[](const auto& at, const auto& n) { return n[0] > 0.5 && at[0] > 1.89; },
+                        [](const auto&, const auto&, double) { return point<2, double>(5, 0); }}};
+    auto bar = mpm.make_body_at(law, cloud.at, 0.1 * 0.1 / 4, fields<field::id>{});
+    for (auto p : bar) {
+        p[V] = cloud.volume[static_cast<std::size_t>(p[field::id{}])];
+        p[m] = 2 * p[V];
+    }
+    mpm.step(bodies(bar), 1e-4);
+    CHECK(std::abs(faces_of(std::as_const(bar)).area - 0.3) < 1e-12);
+    for (auto p : bar) p[V] *= 1.1;
+    mpm.step(bodies(bar), 1e-4);
+    CHECK(std::abs(faces_of(std::as_const(bar)).area - 0.3) < 1e-12);
+}
+
+TEST_CASE("bodies of points take a volume and a density for each, and say what makes no sense") {
+    solver mpm{room<2>()};
+    const std::vector<point<2, double>> places{{0.3, 0.3}, {0.6, 0.3}, {0.9, 0.3}};
+    const std::vector<double> volumes{1, 2, 3}, densities{4, 5, 6};
+    auto both = mpm.make_body_at(law, places, volumes, densities, fields<field::id>{});
+    for (const auto p : std::as_const(both)) {
+        const auto k = static_cast<std::size_t>(p[field::id{}]);
+        CHECK(p[V] == volumes[k]);
+        CHECK(p[m] == volumes[k] * densities[k]);
+    }
+    auto one = mpm.make_body_at(law, places, 0.5, densities);
+    CHECK(total_mass(one) == 7.5);
+    CHECK(names(complaint([&] {
+                    mpm.make_body_at(law, places, std::vector<double>{1, 2});
+                }),
+                "2 numbers are given as the particles' volume for 3 points"));
+    CHECK(names(complaint([&] {
+                    mpm.make_body_at(law, places, std::vector<double>{1, -2, 1});
+                }),
+                "volume is -2 at (0.6, 0.3)"));
+    CHECK(names(complaint([&] { mpm.make_body_at(law, places, volumes, 0.); }), "density is 0"));
+}
+
+TEST_CASE("a load whose body comes later waits for it") {
+    solver mpm{room<2>(), particle_force{[](const auto& at) { return at[0] > 1; },
+                                         [](const auto&, double) { return point<2, double>(3, 0); }}};
+    mpm.when_warned(warnings_are::kept);
+    auto first = mpm.make_body(
+        law, [](const auto& at) { return at[0] < 0.5 && at[1] < 0.5; }, per_cell{2});
+    integrate(mpm, bodies(first), {0, 0.01}, fixed_steps{10});
+    auto second = mpm.make_body(
+        law, [](const auto& at) { return at[0] > 1.25 && at[1] > 1; }, per_cell{2});
+    integrate(mpm, bodies(first, second), {0.01, 0.02}, fixed_steps{10});
+    std::size_t chosen = 0;
+    for (const auto p : std::as_const(second)) chosen += p[field::chosen<0>{}] > 0 ? 1 : 0;
+    CHECK(chosen > 0);
+    CHECK(std::abs(total_momentum(second)[0] - 3 * static_cast<double>(chosen) * 0.01) < 1e-12);
+    CHECK(mpm.idle_loads().empty());
 }

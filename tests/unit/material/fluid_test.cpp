@@ -115,6 +115,23 @@ TEST_CASE("fluids: what makes no sense gets a sentence") {
     CHECK(names(made(tait{.bulk = 0, .density = 1}), "tait", "bulk modulus is 0", "positive"));
     CHECK(names(made(tait{.bulk = 1, .exponent = -1, .density = 1}), "tait", "exponent is -1", "positive"));
     CHECK(names(made(newtonian_fluid{{.bulk = 1, .density = 1}, -1}), "newtonian", "-1 and 0", "positive"));
+    for (const double bad : {0., -1., double(NAN), double(INFINITY)}) {
+        CAPTURE(bad);
+        CHECK(names(made(tait{.bulk = bad, .density = 1}), "tait", "bulk modulus is", "positive"));
+        CHECK(names(made(tait{.bulk = 1, .exponent = bad, .density = 1}), "tait", "exponent is", "water: 7"));
+        CHECK(names(made(tait{.bulk = 1, .density = bad}), "tait", "the density is", "positive"));
+    }
+    // A particle's own density.
+    solver mpm{uniform_grid{{0.}, {1.}, 1.}, linear{}};
+    auto drop = mpm.make_body(tait{.bulk = 1, .density = 1}, everywhere, per_cell{2});
+    auto oil = mpm.make_body(newtonian_fluid{{.bulk = 1, .density = 1}, 1}, everywhere, per_cell{2});
+    for (const double bad : {0., -2., double(NAN)}) {
+        CAPTURE(bad);
+        for (auto p : drop) p[rho] = bad;
+        for (auto p : oil) p[rho] = bad;
+        CHECK(names(complaint([&] { mpm.step(bodies(drop), 1e-3); }), "particle 0", "its density is", "positive"));
+        CHECK(names(complaint([&] { mpm.step(bodies(oil), 1e-3); }), "particle 0", "its density is", "positive"));
+    }
     CHECK(
         names(made(newtonian_fluid{{.bulk = 1, .density = 1}, 1, 0, 2}), "newtonian", "density is 2", "leave it out"));
 }

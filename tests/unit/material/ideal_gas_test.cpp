@@ -49,6 +49,10 @@ TEST_CASE("ideal gas: artificial viscosity acts in compression only, and its wor
         CHECK(std::abs(p[sigma](1, 1) / (-1.2 * (0.4 * e + q_by_density)) - 1) < 1e-13);
         CHECK((p[field::internal_energy{}] > (1 + 1e-12) * e0 * std::pow(J, -0.4)) == (d < 0));
         CHECK(std::abs(elastic_energy(body) / (1.2 * e) - 1) < 1e-13);
+        // Sound follows what the viscosity heated.
+        CHECK(std::abs(gas.energy_per_mass(p) / e - 1) < 1e-13);
+        CHECK(std::abs(gas.wave_speed_at(p, 2) / std::sqrt(1.4 * 0.4 * e) - 1) < 1e-13);
+        CHECK(std::abs(detail::wave_speed_of(std::as_const(body)) / std::sqrt(1.4 * 0.4 * e) - 1) < 1e-13);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "catch.hpp"
 #include "scratch.hpp"
+#include "unit/complaint.hpp"
 
 #include <optional>
 
@@ -46,4 +47,27 @@ TEST_CASE("a place that cannot be written to is refused at once") {
     CHECK(folder.names() == std::vector<std::string>{"file"});
     REQUIRE_THROWS_AS(tamis::atomic_file("/dev/null"), tamis::error);
     CHECK(std::filesystem::is_character_file("/dev/null"));
+}
+
+#if defined(__linux__)
+TEST_CASE("a disk that is full is told, and leaves the old file and nothing beside it") {
+    const scratch_folder folder("atomic_file_full");
+    std::ofstream(folder / "it.txt") << "old";
+    // What is written to the draft goes nowhere.
+    std::filesystem::create_symlink("/dev/full", folder / "it.txt.part");
+    tamis::atomic_file file(folder / "it.txt");
+    file.out() << "new";
+    CHECK(names(complaint([&] { file.commit(); }), "writing", "it.txt", "failed", "disk full"));
+    CHECK(text_of(folder / "it.txt") == "old");
+    CHECK(folder.names() == std::vector<std::string>{"it.txt"});
+}
+#endif
+
+TEST_CASE("a draft that cannot take its place is told, and not left over") {
+    const scratch_folder folder("atomic_file_in_the_way");
+    tamis::atomic_file file(folder / "it.txt");
+    file.out() << "new";
+    std::filesystem::create_directories(folder / "it.txt/below");
+    CHECK(names(complaint([&] { file.commit(); }), "cannot put", "it.txt", "in place"));
+    CHECK(folder.names() == std::vector<std::string>{"it.txt"});
 }

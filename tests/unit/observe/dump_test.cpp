@@ -84,3 +84,15 @@ TEST_CASE("a dump counts crossings, sets lost particles apart, and keeps a faile
     CHECK(count_of(text, "its position is not a finite number") == 1);
     CHECK(lines_of(folder / "bar.txt").back() == "the run failed");
 }
+
+TEST_CASE("a dump shows tensors row by row") {
+    const scratch_folder folder("dump_tensor");
+    solver mpm{uniform_grid{{0., 0.}, {1., 1.}, 0.5}, linear{}, flip{}};
+    auto block = mpm.make_body_at(linear_elastic{.young = 1, .density = 1}, {point<2, double>(0.2, 0.2)}, 0.1,
+                                  fields<field::deformation>{});
+    for (auto p : block) p[F] << 1, 2, 3, 4;
+    dump_output all(mpm, bodies(block), folder / "block.txt");
+    all(progress_state{0, 1, 0, {0, 1}});
+    all.commit();
+    CHECK(count_of(text_of(folder / "block.txt"), " deformation 1 2 3 4 ") == 4);
+}

@@ -74,6 +74,15 @@ TEST_CASE("cpgimp: domains follow the stretch along each axis, up to a cell's si
         const auto empty = cpgimp{2}.on_axis(r, stretched{{0, 0, 0}}, 0);
         for (int k = 0; k < 3; ++k) CHECK(std::isfinite(empty.w[k] + empty.dw[k]));
     }
+    // A domain of hardly any width, or of none left, is a millionth of a cell's side to either side: tents.
+    for (const double stretch : {1e-7, 0., -1.}) {
+        const auto middle = cpgimp{2}.on_axis(0.5, stretched{{stretch, 0, 0}}, 0);
+        CHECK(std::abs(middle.w[0] / 0.25e-6 - 1) < 1e-9);
+        CHECK(std::abs(middle.w[2] / 0.25e-6 - 1) < 1e-9);
+        const auto beside = cpgimp{2}.on_axis(0.6, stretched{{stretch, 0, 0}}, 0);
+        CHECK(std::abs(beside.w[2] - 0.1) < 1e-15);
+        CHECK(beside.dw[2] == 1);
+    }
     CHECK(cpgimp{4}.undeformed().half_width() == 0.125);
 }
 

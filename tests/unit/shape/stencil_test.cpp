@@ -1,6 +1,7 @@
 #include <tamis/shape/cubic_spline.hpp>
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
+#include <tamis/shape/held_weights.hpp>
 #include <tamis/shape/stencil.hpp>
 
 #include "unit/shape/functions.hpp"

@@ -1,4 +1,4 @@
-#include <tamis/solver/critical_table.hpp>
+#include <tamis/run/critical_table.hpp>
 #include <tamis/stability/critical.hpp>
 #include <tamis/stability/stability.hpp>
 #include <tamis/tamis.hpp>
