@@ -86,6 +86,13 @@ template <class S, class Shape, class List> class nodes_around {
                 }
         });
     }
+    /// Said in a loop over slots: the values stay where they are. A compiler would take their loads out of the loop,
+    /// into registers that are not there, and so copy all of them once for each tile.
+    TAMIS_INLINE void stay_in_memory() {
+#if defined(__GNUC__)
+        if constexpr (values<S, List>::components * rows * N > TAMIS_VECTOR_REGISTERS / 2) asm("" : "+m"(value_));
+#endif
+    }
     /// Component c of F, N values for each row.
     template <class F> TAMIS_INLINE auto values_of(int c) const { return value_ + place<F>(c); }
     /// Other values for lane l, at the N nodes of a row.
@@ -147,7 +154,7 @@ TAMIS_INLINE local_value<typename Stencil::T> at_particles(const Stencil& st,
     } else {
         constexpr int stride = power(N, Axes - 2);
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-            const auto inner = at_particles<Axes - 1, Slope, Moment, Shape>(st, nodes + a * stride);
+            auto inner = at_particles<Axes - 1, Slope, Moment, Shape>(st, nodes + a * stride);
             if constexpr (a == 0) {
                 at.value = axis.w[0] * inner.value;
                 if constexpr (Slope) {
@@ -186,7 +193,7 @@ TAMIS_INLINE void gather(const nodes_around<S, Shape, List>& around, const Stenc
         constexpr bool slope = contains<Gradients, G>, moment = contains<Moments, G>;
         TAMIS_KEEP_LOOP
         for (int c = 0; c < G::template components<S>; ++c) {
-            const auto at = at_particles<D, slope, moment, Shape>(st, around.template values_of<G>(c));
+            auto at = at_particles<D, slope, moment, Shape>(st, around.template values_of<G>(c));
             if constexpr (contains<Sums, G>) component<S>(to.template sum<G>(), c) = at.value;
             if constexpr (slope)
                 unroll<D>([&](auto d) TAMIS_INLINE_LAMBDA { to.template gradient<G>()(c, int(d)) = at.slope[d]; });

@@ -16,7 +16,8 @@ template <class S, class Shape, class Mass, class... F> struct massless<S, Shape
 
     /// Values around a tile, mended.
     template <class Around, class Nodes>
-    TAMIS_SELDOM static Around mended(Around around, const lattice_type& lattice, const Nodes& nodes, const tile& t) {
+    TAMIS_SELDOM static Around mended(const lattice_type& lattice, const Nodes& nodes, const tile& t) {
+        Around around(lattice, nodes, t.node);
         for (int l = 0; l < W; ++l)
             for (int r = 0; r < lattice_type::rows; ++r) {
                 const std::array<int, 2> row{r % N, r / N};

@@ -141,16 +141,16 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
     Slot* slot = slots + t.first;
     const auto add = [&](auto group, auto& sums, const stencil_type& st, int r, const auto& made) TAMIS_INLINE_LAMBDA {
         using sums_type = group_sums<S, typename std::remove_cvref_t<decltype(group)>::type, ToNodes>;
-        const auto across = st.row(r);
+        auto across = st.row(r);
         unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
             sums_type to(sums[a]);
             if constexpr (a == pivot) {
-                const auto dw = st.slope_of_sum(across);
-                const auto wx = st.offset_of_sum(r);
+                auto dw = st.slope_of_sum(across);
+                auto wx = st.offset_of_sum(r);
                 made.add(to, node_factors<T, decltype(dw), decltype(wx)>{across.w, dw, wx});
             } else {
-                const auto dw = st.slope(a, across);
-                const auto wx = st.offset(a, across, r);
+                auto dw = st.slope(a, across);
+                auto wx = st.offset(a, across, r);
                 made.add(to, node_factors<T, decltype(dw), decltype(wx)>{st.weight(a, across), dw, wx});
             }
         });
@@ -171,9 +171,9 @@ TAMIS_FLATTEN void scatter_tile(const lattice<S, Shape>& lattice, const Nodes& n
         });
     } else {
         using groups = in_groups<S, N, ToNodes>;
-        // Slopes, and what they are multiplied by, want those registers themselves. Two rows of two nodes share more
-        // than they spill (linear functions: 1 % fewer instructions); of four nodes they spill more (cubic: 3 % more).
-        constexpr int together = SumsBySlopes ? (N == 2 ? 2 : 1) : rows_together(N, values<S, ToNodes>::components);
+        // Slopes, and what they are multiplied by, want those registers themselves: of two rows sums are spilled, also
+        // where that takes 1 % fewer instructions (linear functions, and yet 4 to 6 % more time).
+        constexpr int together = SumsBySlopes ? 1 : rows_together(N, values<S, ToNodes>::components);
         // What asks for a part with each slot and group of rows holds the core up less than what asks for all before,
         // but it wants registers itself.
         constexpr bool in_parts = TAMIS_VECTOR_REGISTERS >= 32 && std::is_invocable_v<Fetch&, std::uint32_t, int, int>;

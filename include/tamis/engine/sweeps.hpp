@@ -63,9 +63,9 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
         if constexpr (Kernel::updates) ++store.updates;
         each_tile_by_colour<ahead>(store, [this, &table, &store, mail, kernel, also](tile& t, const auto* soon) {
             if (mail) store.deliver(t);
-            const weigh_type weigh(functions_, lattice_, t);
+            weigh_type weigh(functions_, lattice_, t);
             const auto fetch = fetcher<Kernel>(store, soon);
-            const frame<S> at = lattice_.frame_of(t.at);
+            frame<S> at = lattice_.frame_of(t.at);
             constexpr bool slopes = G::by_slopes || Kernel::sums_by_slopes;
             constexpr bool offsets = G::by_offsets || Kernel::sums_by_offsets;
             constexpr bool sums_by = Kernel::sums_by_slopes || Kernel::sums_by_offsets;
@@ -78,10 +78,11 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
                                       TAMIS_INLINE_LAMBDA { return kernel.make(slot, in, gathered<S, G>{}); };
                 sum(make);
             } else {
-                const auto around = around_of<G>(nodes_, t);
+                auto around = around_of<G>(nodes_, t);
                 [[maybe_unused]] const auto flow_around = kernel.look().around(lattice_, t.node);
                 const auto make = [&](auto& slot, const auto& st, const auto& in) TAMIS_INLINE_LAMBDA {
                     gathered<S, G> g;
+                    around.stay_in_memory();
                     gather(around, st, T(lattice_.grid().spacing()), g);
                     if constexpr (Kernel::updates) {
                         const auto s = static_cast<std::uint32_t>(&slot - store.slots.data());
@@ -102,7 +103,7 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
         auto& store = body.store();
         using reads = merge<typename weigh_type::reads, fields<field::mass>>;
         each_tile_by_colour<tiles_ahead>(store, [this, &store](const tile& t, const auto* soon) {
-            const weigh_type weigh(functions_, lattice_, t);
+            weigh_type weigh(functions_, lattice_, t);
             const auto fetch = [&](std::uint32_t k) TAMIS_INLINE_LAMBDA { store.fetch(soon + k, reads{}); };
             matrix_of_tile<S, Shape>::add(lattice_, nodes_, store.slots.data(), t, weigh, fetch);
         });
@@ -113,7 +114,7 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
         constexpr int D = S::dim, count = power(N, D);
         const auto& store = body.store();
         for (const tile& t : store.tiles) {
-            const weigh_type weigh(functions_, lattice_, t);
+            weigh_type weigh(functions_, lattice_, t);
             for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
                 stencil<S, N, false> st;
                 weigh(st, store.slots[s]);
@@ -159,10 +160,12 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
     template <class G> static constexpr bool mends = G::by_slopes&& stores<Layout, mass_field>;
     /// Values of nodes around a tile.
     template <class G, class Nodes> TAMIS_INLINE auto around_of(const Nodes& nodes, const tile& t) const {
-        nodes_around<S, Shape, typename G::looks_at> around(lattice_, nodes, t.node);
+        using around_type = nodes_around<S, Shape, typename G::looks_at>;
+        around_type around(lattice_, nodes, t.node);
         if constexpr (mends<G>)
             if (t.has(tile::on_edges)) [[unlikely]]
-                around = massless<S, Shape, mass_field, typename G::gradients>::mended(around, lattice_, nodes_, t);
+                around = massless<S, Shape, mass_field, typename G::gradients>::template mended<around_type>(lattice_,
+                                                                                                             nodes_, t);
         return around;
     }
 
@@ -178,31 +181,34 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
     TAMIS_FLATTEN some_slots gather_tile(Store& store, std::size_t slab, const tile& t,
                                          const typename Store::slot* soon, Kernel& kernel) {
         using G = typename Kernel::gathers;
-        const weigh_type weigh(functions_, lattice_, t);
-        const frame<S> at = lattice_.frame_of(t.at);
-        const auto around = around_of<G>(nodes_, t);
+        weigh_type weigh(functions_, lattice_, t);
+        frame<S> at = lattice_.frame_of(t.at);
+        auto around = around_of<G>(nodes_, t);
         [[maybe_unused]] const auto flow_around = kernel.look().around(lattice_, t.node);
         some_slots left;
         const auto fence = fence_of<Moves>(kernel);
         if constexpr (fence.there)
             if (t.has(tile::fenced)) [[unlikely]]
                 fence.keep(store, slab, t);
-        for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
-            auto& slot = store.slots[s];
-            if constexpr (S::dim > 1) store.fetch_to_write(soon + (s - t.first));
+        auto* const slots = store.slots.data() + t.first;
+        const auto* const occupied = store.occupied.data() + t.first;
+        for (std::size_t k = 0, count = t.count; k < count; ++k) {
+            auto& slot = slots[k];
+            if constexpr (S::dim > 1) store.fetch_to_write(soon + k);
             stencil<S, N, true, G::by_offsets> st;
             weigh(st, slot);
             gathered<S, G> g;
+            around.stay_in_memory();
             gather(around, st, T(at.spacing), g);
-            kernel.update(slot, store.occupied[s], at, g, kernel.look()(around, flow_around, st));
+            kernel.update(slot, occupied[k], at, g, kernel.look()(around, flow_around, st));
             if constexpr (Moves && Kernel::moves) {
                 auto stay = weigh.stays(slot);
-                if (store.occupied[s] != Store::full) {
+                if (occupied[k] != Store::full) {
                     clear_empty(slot);
                     stay = weigh.or_empty(stay, slot);
                 }
-                if (lane<T>::any(!stay)) left.add(s - t.first);
-            } else if (store.occupied[s] != Store::full)
+                if (lane<T>::any(!stay)) left.add(static_cast<std::uint32_t>(k));
+            } else if (occupied[k] != Store::full)
                 clear_empty(slot);
         }
         if constexpr (fence.there)

@@ -101,8 +101,8 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
                 continue;
             }
             const std::uint32_t first = t.first, last = first + t.count;
-            const weigh_type weigh(functions_, lattice, t);
-            const frame<S> at = lattice.frame_of(t.at);
+            weigh_type weigh(functions_, lattice, t);
+            frame<S> at = lattice.frame_of(t.at);
             const nodes_around<S, Shape, typename G::looks_at> around(lattice, columns, place);
             sums_type sums[N];
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
@@ -120,9 +120,9 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
                 if constexpr (Moves) weigh(st, slot);
                 const auto made = give.make(slot, at, gathered<S, typename Give::gathers>{});
                 unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA {
-                    const auto across = st.row(0);
-                    const auto dw = st.slope(a, across);
-                    const auto wx = st.offset(a, across, 0);
+                    auto across = st.row(0);
+                    auto dw = st.slope(a, across);
+                    auto wx = st.offset(a, across, 0);
                     made.add(sums[a], node_factors<T, decltype(dw), decltype(wx)>{st.weight(a, across), dw, wx});
                 });
             }
@@ -151,17 +151,17 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
         if (ahead) {
             typename Row::sums_type sums[N];
             for (auto& sum : sums) sum.set_zero();
-            const weigh_type weigh(functions_, lattice_, t);
-            const frame<S> at = lattice_.frame_of(t.at);
+            weigh_type weigh(functions_, lattice_, t);
+            frame<S> at = lattice_.frame_of(t.at);
             for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
                 const auto& slot = std::as_const(store.slots[s]);
                 stencil<S, N, true, Give::sums_by_offsets> st;
                 weigh(st, slot);
                 const auto made = give.make(slot, at, gathered<S, typename Give::gathers>{});
                 for (int a = 0; a < N; ++a) {
-                    const auto across = st.row(0);
-                    const auto dw = st.slope(a, across);
-                    const auto wx = st.offset(a, across, 0);
+                    auto across = st.row(0);
+                    auto dw = st.slope(a, across);
+                    auto wx = st.offset(a, across, 0);
                     made.add(sums[a], node_factors<T, decltype(dw), decltype(wx)>{st.weight(a, across), dw, wx});
                 }
             }
@@ -173,7 +173,7 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
     template <class Store> TAMIS_NOINLINE bool post_all(Store& store, std::size_t k, std::size_t j) {
         if constexpr (Moves) {
             tile& t = store.tiles[j];
-            const weigh_type weigh(functions_, lattice_, t);
+            weigh_type weigh(functions_, lattice_, t);
             bool any = t.has(tile::on_edges);
             for (std::uint32_t s = t.first; s < t.first + t.count; ++s)
                 any = any || lane<T>::any(!weigh.or_empty(weigh.stays(store.slots[s]), store.slots[s]));

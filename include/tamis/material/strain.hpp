@@ -70,7 +70,7 @@ TAMIS_NOINLINE void stress_lane_by_lane(const Law& law, Slot& slot, std::uint32_
             "Tensor stress(auto p, const Tensor& grad_v, auto dt) const`, which returns the new Kirchhoff stress");
         frame<one_space> one_frame{at.spacing, at.inverse_spacing, at.corner};
         one_frame.corner[0] += at.spacing * real(l);
-        const law_tensor<one_space, Law> tau = law.stress(row{p, one_frame}, told, dts(0, l));
+        law_tensor<one_space, Law> tau = law.stress(row{p, one_frame}, told, dts(0, l));
         pack<one_space>(p.template get<field::stress>(), tau);
         for (int c = 0; c < Slot::components; ++c) lanes_of_slot[c * W + l] = to[c];
     };
@@ -102,10 +102,10 @@ TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied
             requires(row r) { law.stress(r, told, dt, flow...); },
             "tamis: a law with `carries` is told of the flow past particles that are held; give it `template <class "
             "Tensor> Tensor stress(auto p, const Tensor& grad_v, auto dt, const auto& flow) const`, in lanes");
-        const law_tensor<S, Law> tau = law.stress(row{slot, at}, told, dt, flow...);
+        law_tensor<S, Law> tau = law.stress(row{slot, at}, told, dt, flow...);
         pack<S>(slot.template get<field::stress>(), tau);
     } else if constexpr (!LaneByLane<Law> && requires(row r) { law.stress(r, told, dt); }) {
-        const law_tensor<S, Law> tau = law.stress(row{slot, at}, told, dt);
+        law_tensor<S, Law> tau = law.stress(row{slot, at}, told, dt);
         pack<S>(slot.template get<field::stress>(), tau);
     } else
         stress_lane_by_lane<S>(law, slot, occupied, at, gradient, dt);

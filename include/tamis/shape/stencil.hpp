@@ -27,7 +27,7 @@ template <class S, int N, bool Slopes = true, bool Offsets = false> struct stenc
                                                                     const T& inverse_spacing,
                                                                     const Particle&... particle) {
         unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA {
-            const axis_weights<T, N> from = [&]() TAMIS_INLINE_LAMBDA {
+            axis_weights<T, N> from = [&]() TAMIS_INLINE_LAMBDA {
                 if constexpr (sizeof...(Particle) > 0)
                     return shape.on_axis(local[int(d)], particle..., int(d));
                 else
