@@ -47,7 +47,7 @@ template <class S, class Shape, class Layout, class Execution> class node_sweeps
     }
 
     /// For all active nodes, W at a time: loads some fields, calls kernel(values), and stores some. `values` has room
-    /// for all fields of the kernel's `all`.
+    /// for all fields of the kernel's `all`. `finish()`, if the kernel has it, is called after some nodes' last.
     template <class Loads, class Saves, class Kernel> void each_node(Kernel kernel) {
         // A copy of the kernel: what is stored might, for all the compiler knows, change one that it refers to.
         over_blocks(chunk, [this, kernel](std::size_t begin, std::size_t end) {
@@ -175,6 +175,7 @@ template <class S, class Shape, class Layout, class Execution> class node_sweeps
                 });
             });
         }
+        if constexpr (requires { kernel.finish(); }) kernel.finish();
     }
 };
 

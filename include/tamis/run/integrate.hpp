@@ -29,34 +29,6 @@ struct courant {
 
 namespace detail {
 
-/// Throws if a particle's velocity or stress is not a number, or if its law refuses it.
-template <class... Body> void check_finite(const std::tuple<Body&...>& all, long steps, double time, double dt) {
-    const auto one = [&](const auto& body) {
-        long k = 0;
-        for (const auto p : body) {
-            const double sum = detail::to_double(p[symbols::v].sum() + p[symbols::sigma].sum());
-            std::string why;
-            if constexpr (requires { body.law.check(p); }) {
-                try {
-                    body.law.check(p);
-                } catch (const error& e) {
-                    why = e.what();
-                }
-            }
-            if (!std::isfinite(sum))
-                why = sentence(
-                    "its velocity or stress is not a number. Likely causes: a time step above the stability "
-                    "limit (dt = ",
-                    dt, "), or a law that returned one", why.empty() ? "" : ". Its law says: ", why);
-            if (!why.empty())
-                throw error(sentence("particle ", k, " at (", list_of(p[symbols::x]), "), step ", steps, ", t = ", time,
-                                     ": ", why));
-            ++k;
-        }
-    };
-    detail::each_of(all, one);
-}
-
 inline void check_span(const interval& span) {
     if (!(span.end > span.begin && std::isfinite(span.end - span.begin)))
         throw error(sentence("integrate: the interval is ", span.begin, " to ", span.end,

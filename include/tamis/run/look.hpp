@@ -4,6 +4,7 @@
 #include <tamis/run/checks.hpp>
 #include <tamis/run/overlap.hpp>
 #include <tamis/run/warnings.hpp>
+#include <tamis/step/node_stages.hpp>
 
 #include <array>
 #include <tuple>
@@ -29,6 +30,21 @@ void look_at_bodies(std::tuple<Body&...>& all, const Grid& grid, const Load& loa
     targets.look(load, all);
     if constexpr (sizeof...(Body) > 1)
         if (any_is_new) channel.warn_if_any(warning_kind::overlap, [&] { return overlapping<Grid::dim>(all).told(); });
+}
+
+/// Throws again what broke a step off; of what is not a number it says which particle's it is.
+template <class... Body>
+[[noreturn]] TAMIS_SELDOM void tell_of_broken_step(const std::tuple<Body&...>& all, const step_stamp& now) {
+    try {
+        throw;
+    } catch (const not_a_number&) {
+        check_finite(all, now.step, now.time, now.dt);
+        throw error(sentence("step ", now.step, ", t = ", now.time,
+                             ": a node's acceleration is not a number, though velocities and stresses of all particles "
+                             "are. Likely causes: a load, condition or contact law that gave one, or a number beyond "
+                             "the range of its type (dt = ",
+                             now.dt, ")"));
+    }
 }
 
 }  // namespace tamis::detail

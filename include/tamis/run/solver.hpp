@@ -14,7 +14,7 @@
 namespace tamis {
 
 /// One composed step. Policies come in any order after the grid; those left out take their defaults (quadratic_spline,
-/// flip, usl_minus, unbounded, unloaded, moving, serial, native_lanes, leaving_stops).
+/// flip, usl_minus, unbounded, unloaded, moving, serial, native_lanes, leaving_stops, checked).
 ///
 ///     solver mpm{uniform_grid{{0.}, {1.}, 0.02}, linear{}, fmpm<2>{}, usl_minus{}, ends};
 ///     auto bar = mpm.make_body(law, everywhere, per_cell{2});
@@ -150,8 +150,9 @@ template <class Grid, class... Policies> class solver : public warning_channel {
         return new_body<Extra...>(law, points, volume, density);
     }
 
-    /// One step of dt (s) for the bodies. Throws `error` if a particle's place is not a number, or leaves the grid
-    /// where that is not allowed: the step is then done, and the particle put back into the grid, to be looked at.
+    /// One step of dt (s) for the bodies. Throws `error` if a stress or load is not a number (`checked`): the step is
+    /// not done then; or if a particle's place is none, or leaves the grid where that is not allowed: the step is done,
+    /// and the particle put back into the grid, to be looked at.
     template <class... Body> void step(std::tuple<Body&...> all, const real& dt) {
         step(all, dt, time_ + detail::to_double(dt));
     }
@@ -241,7 +242,7 @@ void solver<Grid, Policies...>::step(std::tuple<Body&...> all, const real& dt, d
         detail::run_step(now);
     } catch (...) {
         recover(all, detail::to_double(dt));
-        throw;
+        detail::tell_of_broken_step(std::as_const(all), {steps_, time_, detail::to_double(dt)});
     }
     previous_ = time_;
     time_ = end;

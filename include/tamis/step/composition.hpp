@@ -11,6 +11,7 @@
 #include <tamis/leaving/leaving.hpp>
 #include <tamis/motion/motion.hpp>
 #include <tamis/order/order.hpp>
+#include <tamis/step/checked.hpp>
 #include <tamis/step/read_out.hpp>
 #include <tamis/mass/assembling.hpp>
 #include <tamis/update/carried.hpp>
@@ -35,6 +36,7 @@ enum class role {
     lanes,
     leaving,
     read_out,
+    checks,
     none
 };
 
@@ -110,6 +112,8 @@ template <class P, class Point> consteval role role_of() {
         return role::leaving;
     else if constexpr (requires { typename P::read_from_nodes; })
         return role::read_out;
+    else if constexpr (requires { P::checks_steps; })
+        return role::checks;
     else
         return role::none;
 }
@@ -142,7 +146,8 @@ template <class P, class Point> struct is_policy {
     static_assert(
         role_v<P, Point> != role::none,
         "tamis: an argument of solver{...} is no policy: it has the members of none of shape, transfer, stress "
-        "order, boundary condition, boundary method, contact, load, motion, execution, lanes, leaving, read-out; "
+        "order, boundary condition, boundary method, contact, load, motion, execution, lanes, leaving, read-out, "
+        "checks; "
         "compare it with "
         "docs/concepts.md");
     static constexpr bool value = role_v<P, Point> != role::none;
@@ -173,6 +178,8 @@ template <class Grid, class... P> struct composition {
     using read = typename by_role<role::read_out, read_out<>>::type::read_from_nodes;
     using lane_policy = typename by_role<role::lanes, native_lanes>::type;
     using leaving = typename by_role<role::leaving, leaving_stops>::type;
+    /// Is every step looked at for numbers that are none?
+    static constexpr bool checks = by_role<role::checks, checked>::type::checks_steps;
 
     using S = space<dim, typename lane_policy::template type<real>>;
     using mass = typename transfer::mass_type;

@@ -24,15 +24,39 @@ template <class Mass, class Inverse> struct invert : over_nodes {
     static formula bind(const auto&) { return {}; }
     static std::string text() { return letter<Inverse>(); }
 };
-/// A velocity or acceleration: a momentum or force over the mass.
-template <class Momentum, class Velocity> struct divide : over_nodes {
+/// Thrown where a number that is none has come to the nodes.
+struct not_a_number {};
+[[noreturn]] TAMIS_SELDOM inline void throw_not_a_number() { throw not_a_number{}; }
+
+/// A velocity or acceleration: a momentum or force over the mass. `Watched`: throws `not_a_number` if one is.
+template <class Momentum, class Velocity, bool Watched = false> struct divide : over_nodes {
     // FLIP of held particles needs no velocity of nodes where another strains them.
     static constexpr bool optional = !std::same_as<Velocity, field::acceleration>;
     using on_nodes = fields<const field::inverse_mass, const Momentum, Velocity>;
     struct formula {
         TAMIS_INLINE void operator()(auto i) const { i[Velocity{}] = i[symbols::im] * i[Momentum{}]; }
     };
-    static formula bind(const auto&) { return {}; }
+    /// Adds up what it makes, in each lane: a sum is finite only if all terms are. That costs an addition for each
+    /// number, and one look for many nodes.
+    template <class S> struct watched_formula : formula {
+        typename S::vector sum = S::vector::Zero();
+        TAMIS_INLINE void operator()(auto i) {
+            formula::operator()(i);
+            unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA { sum[int(d)] += i[Velocity{}][int(d)]; });
+        }
+        void finish() const {
+            using T = typename S::scalar;
+            T all = sum[0];
+            for (int d = 1; d < S::dim; ++d) all += sum[d];
+            if (lane<T>::any(!(all - all <= constant<T>(0)))) throw_not_a_number();
+        }
+    };
+    template <class Now> static auto bind(const Now&) {
+        if constexpr (Watched)
+            return watched_formula<typename Now::S>{};
+        else
+            return formula{};
+    }
     static std::string text() { return letter<Velocity>() + " = " + letter<Momentum>() + "/m"; }
 };
 /// To = From + a dt. XPIC does not read v.
@@ -50,12 +74,17 @@ template <class From, class To> struct advance : over_nodes {
 /// A formula that is shown the fields of a list.
 template <class List, class Formula> struct shown_formula {
     Formula formula;
-    TAMIS_INLINE void operator()(auto& row) const { formula(view<std::remove_reference_t<decltype(row)>, List>{row}); }
+    TAMIS_INLINE void operator()(auto& row) { formula(view<std::remove_reference_t<decltype(row)>, List>{row}); }
+    TAMIS_INLINE void finish() const {
+        if constexpr (requires { formula.finish(); }) formula.finish();
+    }
 };
 /// The formulas of a pass over nodes, one after the other. `All`: the fields that they name.
 template <class All, class... Shown> struct node_kernel : Shown... {
     using all = All;
-    TAMIS_INLINE void operator()(auto& row) const { (static_cast<const Shown&>(*this)(row), ...); }
+    TAMIS_INLINE void operator()(auto& row) { (static_cast<Shown&>(*this)(row), ...); }
+    /// What formulas do after the last row.
+    TAMIS_INLINE void finish() const { (static_cast<const Shown&>(*this).finish(), ...); }
 };
 template <class... Stage, class Now> auto node_kernel_of(stages<Stage...>, const Now& now) {
     return node_kernel<merge<typename Stage::on_nodes...>,

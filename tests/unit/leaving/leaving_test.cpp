@@ -62,17 +62,18 @@ TEST_CASE("leaving: by default the run stops, and says which particle, when, whe
 }
 
 TEST_CASE("leaving: a particle that is not a number stops the run, whatever the policy") {
-    const auto says = [](auto leaving) {
-        solver mpm{box, quadratic_spline{}, leaving};
+    const auto says = [](auto leaving, auto checks) {
+        solver mpm{box, quadratic_spline{}, leaving, checks};
         auto block = mpm.make_body(broken{}, everywhere, per_cell{1});
         return complaint([&] {
             for (int k = 0; k < 3; ++k) mpm.step(bodies(block), 0.25);
         });
     };
-    for (const std::string& text : {says(leaving_stops{}), says(leaving_removes{})}) {
+    for (const std::string& text : {says(leaving_stops{}, unchecked{}), says(leaving_removes{}, unchecked{})}) {
         CAPTURE(text);
         CHECK(names(text, "particle ", "step 2, t = 0.5", "place is not a number", "dt = 0.25", "or a law"));
     }
+    CHECK(names(says(leaving_stops{}, checked{}), "particle 0 at", "step 1, t = 0.25", "stress is not a number"));
 }
 
 TEST_CASE("leaving: a particle may be put back on the wall, with its velocity") {

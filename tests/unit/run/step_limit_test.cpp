@@ -106,22 +106,26 @@ TEST_CASE("step_limit: a node of next to no mass does not stop an automatic step
 }
 
 TEST_CASE("step_limit: particles that are no numbers are looked for every 1000 steps, held ones by any pace") {
-    const auto found = [](auto pace, long bad_from) {
-        solver mpm{grid{{0.}, {1.}, 0.25}, linear{}, held{}};
+    const auto found = [](auto pace, long bad_from, auto checks) {
+        solver mpm{grid{{0.}, {1.}, 0.25}, linear{}, held{}, checks};
         auto bar = mpm.make_body(law, everywhere, per_cell{1});
         const auto spoil = [&](const progress_state& now) {
             if (now.step == bad_from) (*bar.begin())[sigma](0, 0) = std::numeric_limits<double>::quiet_NaN();
         };
         return complaint([&] { integrate(mpm, bodies(bar), {0, 1}, pace, spoil); });
     };
-    CHECK(names(found(fixed_steps{4500}, 300), "step 1000, t = 0.2222", "not a number"));
-    CHECK(names(found(fixed_steps{4500}, 2300), "step 3000, t = 0.666", "not a number"));
-    CHECK(names(found(fixed_steps{4500}, 4200), "step 4500, t = 1", "not a number"));
+    CHECK(names(found(fixed_steps{4500}, 300, unchecked{}), "step 1000, t = 0.2222", "not a number"));
+    CHECK(names(found(fixed_steps{4500}, 2300, unchecked{}), "step 3000, t = 0.666", "not a number"));
+    CHECK(names(found(fixed_steps{4500}, 4200, unchecked{}), "step 4500, t = 1", "not a number"));
     // 8/n steps.
-    CHECK(names(found(courant{8. / 4500}, 300), "step 1000, t = 0.2222", "not a number"));
-    CHECK(names(found(courant{8. / 4500}, 2300), "step 3000, t = 0.666", "not a number"));
-    CHECK(names(found(courant{8. / 4500}, 4200), "step 4500, t = 1", "not a number"));
-    CHECK(found(fixed_steps{4500}, -1) == "nothing");
+    CHECK(names(found(courant{8. / 4500}, 300, unchecked{}), "step 1000, t = 0.2222", "not a number"));
+    CHECK(names(found(courant{8. / 4500}, 2300, unchecked{}), "step 3000, t = 0.666", "not a number"));
+    CHECK(names(found(courant{8. / 4500}, 4200, unchecked{}), "step 4500, t = 1", "not a number"));
+    CHECK(found(fixed_steps{4500}, -1, unchecked{}) == "nothing");
+    // A step that is checked finds them by itself.
+    CHECK(names(found(fixed_steps{4500}, 300, checked{}), "step 300, t = 0.0666", "not a number"));
+    CHECK(names(found(courant{8. / 4500}, 2300, checked{}), "step 2300, t = 0.511", "not a number"));
+    CHECK(found(fixed_steps{4500}, -1, checked{}) == "nothing");
 }
 
 TEST_CASE("step_limit: steps of moving particles are chosen anew every 20 steps, and their numbers looked at") {
