@@ -63,7 +63,7 @@ END
             step_3d) cat << 'END'
 
 What bounds it: arithmetic and its operands, and with eight lanes memory too, once the particles are beyond the caches. A
-particle takes 444 instructions (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`): arithmetic, loads that
+particle takes 411 instructions (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`): arithmetic, loads that
 do not fold into it, shifts of rows, and what sixteen registers cannot hold. Bytes: 112 a particle and 56 a
 node (float: half).
 

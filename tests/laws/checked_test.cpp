@@ -24,10 +24,14 @@ template <int D> uniform_grid<D, double> box() {
 }
 bool inside(const auto& at) { return (at.array() > 0.26).all() && (at.array() < 0.74).all(); }
 
+/// The stress along the last axis.
 template <class Body> void set_stress(Body& body, int which, double value) {
+    constexpr int D = Body::dim;
+    Eigen::Matrix<double, D, D> stress = Eigen::Matrix<double, D, D>::Zero();
+    stress(D - 1, D - 1) = value;
     int k = 0;
     for (auto p : body)
-        if (k++ == which) p[sigma] = Eigen::Matrix<double, Body::dim, Body::dim>::Constant(value);
+        if (k++ == which) p[sigma] = stress;
 }
 template <class Step> std::string complaint_of(Step step) {
     try {

@@ -60,7 +60,7 @@ long in_equal_steps(const interval& span, long count, long n, Look look, Step st
 }  // namespace detail
 
 /// Steps the bodies from span.begin to span.end. Observers are called at the start and after every step. Throws `error`
-/// if the Courant number goes beyond its limit, or if a particle is not a number (looked for every 1000 steps and at
+/// if the Courant number goes beyond its limit, or if a law refuses a particle (asked every 1000 steps and at
 /// the end). Returns the number of steps. An observer given by value that has a `commit()`, a csv_output, is committed
 /// at the end of the run; one given by std::ref is the caller's.
 ///

@@ -44,7 +44,7 @@ template <class Momentum, class Velocity, bool Watched = false> struct divide : 
             formula::operator()(i);
             unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA { sum[int(d)] += i[Velocity{}][int(d)]; });
         }
-        void finish() const {
+        TAMIS_INLINE void finish() const {
             using T = typename S::scalar;
             T all = sum[0];
             for (int d = 1; d < S::dim; ++d) all += sum[d];
