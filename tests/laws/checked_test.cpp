@@ -82,11 +82,11 @@ TEST_CASE("checked: with several velocity fields too") {
     solver mpm{box<2>(), quadratic_spline{}, contact{frictionless{}}};
     const auto left = [](const auto& at) { return inside(at) && at[0] < 0.5; };
     const auto right = [](const auto& at) { return inside(at) && at[0] > 0.5; };
-    auto a = mpm.make_body(law, left, per_cell{2});
-    auto b = mpm.make_body(law, right, per_cell{2});
-    mpm.step(bodies(a, b), 1e-3);
-    set_stress(b, 2, none);
-    const std::string told = complaint_of([&] { mpm.step(bodies(a, b), 1e-3); });
+    auto one = mpm.make_body(law, left, per_cell{2});
+    auto two = mpm.make_body(law, right, per_cell{2});
+    mpm.step(bodies(one, two), 1e-3);
+    set_stress(two, 2, none);
+    const std::string told = complaint_of([&] { mpm.step(bodies(one, two), 1e-3); });
     CHECK(told.find("particle 2 at (0.") == 0);
 }
 

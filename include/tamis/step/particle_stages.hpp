@@ -130,6 +130,7 @@ template <class Update, class Motion, class Shape> struct g2p : over_particles {
     static constexpr bool Moves = Motion::moves;
     using wanted = update_fields<Update, Shape>;
     using gathers = typename wanted::template gathers<Moves>;
+    static constexpr bool looks_for_mass = gathers::by_slopes;
     using on_nodes = typename wanted::template on_nodes<Moves>;
     using on_particles = typename concatenate<on_particles_t<Update>, fields<field::velocity>,
                                               fields_if<Moves, const field::velocity, field::displacement>,
@@ -175,6 +176,8 @@ template <class Order> struct share_after { static constexpr double value = Orde
 
 /// Particles are strained by the gradient of a node velocity, over a share of dt.
 template <class Share, class Velocity> struct strain_stage : over_particles {
+    // Nodes without mass have no part in gradients.
+    static constexpr bool looks_for_mass = true;
     using on_nodes = fields<const Velocity>;
     using on_particles = fields<const field::stress, field::stress>;
     template <class S, class Law, class Look> struct part

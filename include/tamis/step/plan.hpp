@@ -27,11 +27,11 @@ template <int N> struct plan {
     by_field<place> at{};
     by_field<int> type{}, components{}, owner{};
     int field_count = 0;
-    plan_fields nodes = 0, particles = 0, private_columns = 0, stored = 0, kept = 0;
+    plan_fields nodes = 0, particles = 0, private_columns = 0, stored = 0, kept = 0, masses = 0;
     // Stages.
     by_stage<over> where{};
     by_stage<plan_fields> in{}, out{}, lacks{};
-    by_stage<bool> live{}, optional{};
+    by_stage<bool> live{}, optional{}, looks_for_mass{};
     by_stage<int> pass{};
     // Passes.
     int count = 0;
@@ -208,10 +208,13 @@ template <int N> struct plan {
         }
     }
     /// A node field takes the column of one that nobody reads any more: in a pass over nodes at once, since that loads
-    /// all it needs and then saves; else from the next pass on.
+    /// all it needs and then saves; else from the next pass on. The mass, or its inverse in the same column, stays
+    /// until the last stage that asks which nodes have one.
     constexpr void share_columns(plan_fields watched) {
         by_field<int> ends{}, owns{};
-        int columns = 0;
+        int columns = 0, last_look = -1, mass_read_to = -1;
+        for (int s = 0; s < N; ++s)
+            if (live[i(s)] && looks_for_mass[i(s)]) last_look = std::max(last_look, pass[i(s)]);
         kept = stored_on_nodes();
         for (int k = 0; k < field_count; ++k) owner[i(k)] = k;
         for (int q = 0; q < count; ++q)
@@ -223,11 +226,16 @@ template <int N> struct plan {
                     if ((saves[i(r)] | loads[i(r)]) >> k & 1) last = std::max(last, r);
                 }
                 if (first != q) continue;
-                const bool at_once = kind[i(q)] == over::nodes;
+                const bool is_mass = masses >> k & 1, at_once = kind[i(q)] == over::nodes;
+                const int read_to = last;
+                if (is_mass) last = std::max(last, last_look);
+                const auto is_free = [&](int c) {
+                    const int end = is_mass && (masses >> owns[i(c)] & 1) ? mass_read_to : ends[i(c)];
+                    return components[i(owns[i(c)])] == components[i(k)] && (end < q || (at_once && end == q));
+                };
                 int c = 0;
-                while (c < columns && (components[i(owns[i(c)])] != components[i(k)] ||
-                                       !(ends[i(c)] < q || (at_once && ends[i(c)] == q))))
-                    ++c;
+                while (c < columns && !is_free(c)) ++c;
+                if (is_mass) mass_read_to = read_to;
                 if (c == columns)
                     owns[i(columns++)] = k;
                 else

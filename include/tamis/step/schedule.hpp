@@ -62,6 +62,7 @@ template <int N, class S, class... F> constexpr void note_fields([[maybe_unused]
 template <int N, class S, class Stage> constexpr void note_stage(plan<N>& p, int stage, int& at) {
     p.where[plan<N>::i(stage)] = Stage::where;
     p.optional[plan<N>::i(stage)] = requires { requires Stage::optional; };
+    p.looks_for_mass[plan<N>::i(stage)] = requires { requires Stage::looks_for_mass; };
     note_fields<N, S>(p, stage, at, place::particle, particle_fields_of<Stage>{});
     note_fields<N, S>(p, stage, at, place::node, node_fields_of<Stage>{});
     note_fields<N, S>(p, stage, at, place::held, typename held_fields_of<Stage>::type{});
@@ -75,6 +76,7 @@ consteval auto make_plan(stages<Stage...>, fields<Watched...>, bool ahead) {
     (note_stage<N, S, Stage>(p, k++, at), ...);
     plan_fields watched = 0;
     ((watched |= p.find(&tag<std::remove_const_t<Watched>>, place::node)), ...);
+    p.masses = p.find(&tag<field::mass>, place::node) | p.find(&tag<field::inverse_mass>, place::node);
     p.derive(watched, ahead);
     return p;
 }
