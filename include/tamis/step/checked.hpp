@@ -6,10 +6,12 @@ namespace tamis {
 /// not a number. The default. It costs an addition for each component at each node: 0.2 % of the instructions of a 3D
 /// step, 0.7 % in 2D, 2.4 % in 1D (linear functions, FLIP).
 struct checked {
+    /// Are steps looked at?
     static constexpr bool checks_steps = true;
 };
 /// Steps are not looked at: for who measures what that costs. Places are, where particles move.
 struct unchecked {
+    /// Are steps looked at?
     static constexpr bool checks_steps = false;
 };
 
