@@ -73,7 +73,10 @@ TEST_CASE("checked: a stress that is not a number stops the next step and names 
     check_named<1>(quadratic_spline{}, held{}, fmpm<2>{});
     check_named<2>(quadratic_spline{}, flip{});
     check_named<2>(quadratic_spline{}, flip{}, usl_plus{});
+    check_named<2>(linear{}, fmpm<3>{});
+#if defined(_OPENMP)
     check_named<2>(linear{}, fmpm<3>{}, threads{2});
+#endif
     check_named<2>(quadratic_spline{}, xpic<2>{}, one_lane{});
     check_named<3>(quadratic_spline{}, apic{});
 }
