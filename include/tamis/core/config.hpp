@@ -1,6 +1,6 @@
 #pragma once
 // Objects that kernels get from a call are not const: GCC 12 keeps const ones in memory (a store to what is const keeps
-// them from being taken apart into registers), 2 to 8 % of a step.
+// them from being taken apart into registers).
 // Kernels are written with small Eigen matrices of lanes. GCC's inliner leaves some of Eigen's operators out of line,
 // and sums then go through memory (1.4 times slower on AVX2), so Eigen's own switch is set before its first header.
 // Include tamis before Eigen to have the effect; the other order is correct, only slower.

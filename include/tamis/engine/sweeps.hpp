@@ -114,7 +114,7 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
         constexpr int D = S::dim, count = power(N, D);
         const auto& store = body.store();
         for (const tile& t : store.tiles) {
-            weigh_type weigh(functions_, lattice_, t);
+            const weigh_type weigh(functions_, lattice_, t);
             for (std::uint32_t s = t.first; s < t.first + t.count; ++s) {
                 stencil<S, N, false> st;
                 weigh(st, store.slots[s]);

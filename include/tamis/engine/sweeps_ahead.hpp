@@ -103,7 +103,7 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
             const std::uint32_t first = t.first, last = first + t.count;
             weigh_type weigh(functions_, lattice, t);
             frame<S> at = lattice.frame_of(t.at);
-            const nodes_around<S, Shape, typename G::looks_at> around(lattice, columns, place);
+            nodes_around<S, Shape, typename G::looks_at> around(lattice, columns, place);
             sums_type sums[N];
             unroll<N>([&](auto a) TAMIS_INLINE_LAMBDA { sums[a].set_zero(); });
             auto stay = T(real(0)) >= T(real(0));

@@ -24,25 +24,32 @@ template <class Mass, class Inverse> struct invert : over_nodes {
     static formula bind(const auto&) { return {}; }
     static std::string text() { return letter<Inverse>(); }
 };
-/// Thrown where a number that is none has come to the nodes.
-struct not_a_number {};
-[[noreturn]] TAMIS_SELDOM inline void throw_not_a_number() { throw not_a_number{}; }
-
-/// A velocity or acceleration: a momentum or force over the mass. `Watched`: throws `not_a_number` if one is.
-template <class Momentum, class Velocity, bool Watched = false> struct divide : over_nodes {
+/// A velocity or acceleration: a momentum or force over the mass.
+template <class Momentum, class Velocity> struct divide : over_nodes {
     // FLIP of held particles needs no velocity of nodes where another strains them.
     static constexpr bool optional = !std::same_as<Velocity, field::acceleration>;
+    using made = Velocity;
     using on_nodes = fields<const field::inverse_mass, const Momentum, Velocity>;
     struct formula {
         TAMIS_INLINE void operator()(auto i) const { i[Velocity{}] = i[symbols::im] * i[Momentum{}]; }
     };
-    /// Adds up what it makes, in each lane: a sum is finite only if all terms are. That costs an addition for each
-    /// number, and one look for many nodes.
-    template <class S> struct watched_formula : formula {
+    static formula bind(const auto&) { return {}; }
+    static std::string text() { return letter<Velocity>() + " = " + letter<Momentum>() + "/m"; }
+};
+
+/// Thrown where a number that is none has come to the nodes.
+struct not_a_number {};
+[[noreturn]] TAMIS_SELDOM inline void throw_not_a_number() { throw not_a_number{}; }
+
+/// A stage over nodes that throws `not_a_number` where the vector that it makes is none. In each lane what it makes is
+/// added up, for a sum is finite only if all terms are: that costs an addition for each number, and one look for many
+/// nodes.
+template <class Stage> struct watched : Stage {
+    template <class S> struct formula : Stage::formula {
         typename S::vector sum = S::vector::Zero();
         TAMIS_INLINE void operator()(auto i) {
-            formula::operator()(i);
-            unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA { sum[int(d)] += i[Velocity{}][int(d)]; });
+            Stage::formula::operator()(i);
+            unroll<S::dim>([&](auto d) TAMIS_INLINE_LAMBDA { sum[int(d)] += i[typename Stage::made{}][int(d)]; });
         }
         TAMIS_INLINE void finish() const {
             using T = typename S::scalar;
@@ -51,13 +58,7 @@ template <class Momentum, class Velocity, bool Watched = false> struct divide : 
             if (lane<T>::any(!(all - all <= constant<T>(0)))) throw_not_a_number();
         }
     };
-    template <class Now> static auto bind(const Now&) {
-        if constexpr (Watched)
-            return watched_formula<typename Now::S>{};
-        else
-            return formula{};
-    }
-    static std::string text() { return letter<Velocity>() + " = " + letter<Momentum>() + "/m"; }
+    template <class Now> static formula<typename Now::S> bind(const Now&) { return {}; }
 };
 /// To = From + a dt. XPIC does not read v.
 template <class From, class To> struct advance : over_nodes {

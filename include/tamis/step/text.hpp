@@ -25,12 +25,12 @@ template <class C> struct step_text : words<C> {
                filter<C, start_velocity, strain_velocity>,                 // full mass matrix: v_s = v0(k)
                strain<typename of::before, typename of::velocity_before>,  // USF and USAVG
 
-               p2g<force, typename of::load>,           // f = -G^T V0 tau + loads
-               damp_nodes<C>,                           // f -= alpha p
-               touch<C, force>, hold<C, force>,         // conditions of t + dt
-               divide<force, acceleration, C::checks>,  // a = f/m
-               advance<start_velocity, velocity>,       // v = v0 + a dt
-               solve<C>,                                // FMPM: v = v(k). XPIC: v_x = v0(k) + a dt
+               p2g<force, typename of::load>,          // f = -G^T V0 tau + loads
+               damp_nodes<C>,                          // f -= alpha p
+               touch<C, force>, hold<C, force>,        // conditions of t + dt
+               check<C, divide<force, acceleration>>,  // a = f/m
+               advance<start_velocity, velocity>,      // v = v0 + a dt
+               solve<C>,                               // FMPM: v = v(k). XPIC: v_x = v0(k) + a dt
                g2p<typename C::update, typename C::motion, typename C::shape>,  // V', U
 
                p2g<new_momentum, typename C::carried>,  // p_n = S^T M V'       (USL+ and USAVG+)

@@ -25,6 +25,9 @@ template <class C, class F> using touch =
     stage_if<std::same_as<F, field::momentum> ? C::own_velocities : contact_on_momentum<C>, touch_stage<C, F>>;
 template <class C> using damp_nodes = stage_if<C::kinds::on_nodes, damp_stage<C>>;
 
+/// A stage that makes what must be numbers, if the composition looks.
+template <class C, class Stage> using check = std::conditional_t<C::checks, watched<Stage>, Stage>;
+
 template <class Share, class Velocity> using strain = stage_if<(Share::value > 0), strain_stage<Share, Velocity>>;
 
 /// Velocities that strain particles but are not taken by them.
