@@ -45,8 +45,8 @@ template <class Solver, class Body> struct drifting {
 /// `share`: of the particles that cross in a step. The start is disordered: each particle takes a random place in its
 /// quarter of the cell.
 auto block(double share) {
-    auto mpm = std::make_unique<solver<uniform_grid<3, double>, quadratic_spline, flip>>(
-        uniform_grid{{0., 0., 0.}, {1., 1., 1.}, h}, quadratic_spline{}, flip{});
+    auto mpm = std::make_unique<solver<uniform_grid<3, double>, quadratic_spline, flip, usl_minus>>(
+        uniform_grid{{0., 0., 0.}, {1., 1., 1.}, h}, quadratic_spline{}, flip{}, usl_minus{});
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-0.25, 0.25);
     std::vector<place> places;

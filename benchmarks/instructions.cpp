@@ -13,7 +13,7 @@ namespace {
 template <class Shape, class Motion> int run(long steps) {
     using namespace tamis;
     const auto ends = fixed{[](const auto& at) { return at[0] <= 0 || at[0] >= 1; }};
-    solver mpm{uniform_grid{{0.}, {1.}, 1. / 400}, Shape{}, flip{}, ends, Motion{}};
+    solver mpm{uniform_grid{{0.}, {1.}, 1. / 400}, Shape{}, flip{}, usl_minus{}, ends, Motion{}};
     auto bar = mpm.make_body(linear_elastic{.young = 1, .density = 1}, everywhere, per_cell{2});
     for (auto p : bar) p[symbols::v][0] = 1e-3 * (1 - p[symbols::x][0]);
     for (long k = 0; k < steps; ++k) mpm.step(bodies(bar), 1e-4);

@@ -44,8 +44,9 @@ void in_place() { run("3D/quadratic/flip", elastic_block<3, double>(108, quadrat
 void crossing() {
     constexpr int cells = 63;
     const double h = 1. / 128, dt = 1e-4 * h;
-    using solver_type = solver<uniform_grid<3, double>, quadratic_spline, flip>;
-    auto mpm = std::make_unique<solver_type>(uniform_grid{{0., 0., 0.}, {1., 1., 1.}, h}, quadratic_spline{}, flip{});
+    using solver_type = solver<uniform_grid<3, double>, quadratic_spline, flip, usl_minus>;
+    auto mpm = std::make_unique<solver_type>(uniform_grid{{0., 0., 0.}, {1., 1., 1.}, h}, quadratic_spline{}, flip{},
+                                             usl_minus{});
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(0, 1);
     std::vector<place> places;

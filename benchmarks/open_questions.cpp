@@ -94,7 +94,7 @@ template <class Body> double wall_miss(const Body& bar, const ends& held, double
 template <class Motion, class... Policy> errors bar_errors(const bar_run& run, const Policy&... policies) {
     const ends held_ends{run.driven};
     const double h = 1. / run.cells, dt = h * run.courant_number;
-    solver mpm{uniform_grid{{0.}, {1.}, h}, linear{}, held_ends, Motion{}, policies...};
+    solver mpm{uniform_grid{{0.}, {1.}, h}, linear{}, usl_minus{}, held_ends, Motion{}, policies...};
     auto bar = mpm.make_body(law, everywhere, per_cell{2}, fields<field::strain>{});
     if (!run.driven) set_velocity_of(bar, [](const auto& at) { return amplitude * std::sin(pi * at[0]); });
     const double start = energy_of(bar), most = 10 * std::max(start, driven_energy(2));
@@ -215,7 +215,7 @@ pair_errors position_run(const Scheme& scheme, double courant_number, double noi
 /// (X - g t^2/2)/(g dt t/2) after a fall.
 template <class Scheme> double fall_lead(const Scheme& scheme) {
     const double dt = 0.01, g = 0.5;
-    solver mpm{uniform_grid{{0.}, {2.}, 0.1}, linear{}, scheme, gravity{place(g)}};
+    solver mpm{uniform_grid{{0.}, {2.}, 0.1}, linear{}, scheme, usl_minus{}, gravity{place(g)}};
     auto block = mpm.make_body(
         law, [](const auto& at) { return at[0] > 0.2 && at[0] < 0.8; }, per_cell{2});
     const double home = mean(block, x)[0];
@@ -428,7 +428,7 @@ std::string largest_courant_number(const Scheme& scheme, Order order) {
 /// turn.
 template <class Scheme> double turned(const Scheme& scheme, double dt) {
     using plane = point<2, double>;
-    solver mpm{uniform_grid{{0., 0.}, {2., 2.}, 0.1}, scheme};
+    solver mpm{uniform_grid{{0., 0.}, {2., 2.}, 0.1}, scheme, usl_minus{}};
     auto body = mpm.make_body(
         neo_hookean{.young = 200, .poisson = 0.3, .density = 1},
         [](const auto& at) { return std::abs(at[0] - 1) < 0.42 && std::abs(at[1] - 1) < 0.42; }, per_cell{2});

@@ -66,9 +66,6 @@ What bounds it: arithmetic and its operands, and with eight lanes memory too, on
 particle takes 411 instructions (quadratic FLIP, g++ 12, AVX2, by `benchmarks/count_instructions.sh`): arithmetic, loads that
 do not fold into it, shifts of rows, and what sixteen registers cannot hold. Bytes: 112 a particle and 56 a
 node (float: half).
-
-FMPM(k) adds, for each term, a sweep that gathers and spreads the increment, and one pass over nodes. Its passes are run
-together, slab by slab: particles beyond the caches come from memory once a step, as in FLIP, and not for each term.
 END
             ;;
             step_2d) cat << 'END'
@@ -96,7 +93,7 @@ END
 
 Threads share the slabs of a body, each with its own run of them, about the one whose memory it was the first to write.
 Neighbours begin side by side or meet at their ends, and wait for each other there only; results are those of one thread,
-bit for bit. On 64 cores a step is bound by memory: n cores at T ns a particle ask for 224 n/T GB/s.
+bit for bit.
 
 "Apart" is the gain of as many blocks of the same size as there are threads, each stepped by a thread of its own, all at
 the same time: they never wait for each other, but share the memory.

@@ -15,7 +15,7 @@ template <class Solver, class Body> struct stepped {
 };
 
 template <int Dim, class Real, class Law = tamis::linear_elastic, class... Policies>
-auto elastic_block(int n, Policies... policies) {
+auto ordered_block(int n, Policies... policies) {
     using namespace tamis;
     using namespace tamis::symbols;
     const Law law{.young = 1e6, .poisson = Dim == 1 ? 0.0 : 0.3, .density = 1000};
@@ -41,6 +41,15 @@ auto elastic_block(int n, Policies... policies) {
     // However long the timing runs, the block stays where it is, and far from what any composition finds unstable.
     const Real dt = Real(1e-7) * h / Real(std::sqrt(law.young / law.density));
     return stepped<solver_type, body_type>{std::move(mpm), std::move(body), dt};
+}
+
+/// The step is that of USL-, in two sweeps, where no other order is named.
+template <int Dim, class Real, class Law = tamis::linear_elastic, class... Policies>
+auto elastic_block(int n, Policies... policies) {
+    if constexpr ((tamis::StressOrder<Policies> || ...))
+        return ordered_block<Dim, Real, Law>(n, policies...);
+    else
+        return ordered_block<Dim, Real, Law>(n, policies..., tamis::usl_minus{});
 }
 
 template <class Problem> struct hand_stepped {

@@ -9,6 +9,7 @@
 #include <tamis/shape/gimp.hpp>
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
+#include <tamis/material/drucker_prager.hpp>
 #include <tamis/material/ideal_gas.hpp>
 #include <tamis/material/j2.hpp>
 #include <tamis/material/linear_elastic.hpp>

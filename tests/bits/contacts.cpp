@@ -7,7 +7,7 @@ namespace {
 
 /// Two bodies of different laws that fly into each other, the second above and to the right of the first.
 template <int D, class... Policies> void collide(account& out, const Policies&... policies) {
-    solver mpm{box<D>(), policies...};
+    auto mpm = solver_of(box<D>(), policies...);
     constexpr extent along = D == 2 ? extent{10, 18} : extent{7, 12.5};
     auto one = rough_body(mpm, rubber(), {{1.5, along.from}, {1.5, 5.}, {1.5, 4}});
     auto two = rough_body(mpm, varying_elastic{.young = 5.3, .poisson = 0.2, .density = 1.1},

@@ -33,7 +33,7 @@ const composition all[] = {
                             [](const auto& x, double t) { return vec(0.05 * x[1], t); }},
              traction{everywhere, [](const auto& x, const auto& n, double t) { return (n * (x[0] - 1 + t)).eval(); }},
              grid_damping{1.9}};
-         solver mpm{box<2>(), quadratic_spline{}, flip{}, load, swaying<2>()};
+         auto mpm = solver_of(box<2>(), quadratic_spline{}, flip{}, load, swaying<2>());
          const auto disk = [](const auto& at) { return (at - vec(0.8, 0.5)).norm() < 0.65; };
          auto body = mpm.make_body(rubber(), disk, per_cell{2});
          roughen(body, 1.2, 0.4, 0.5);
@@ -47,12 +47,8 @@ const composition all[] = {
      }},
     {"2d_quadratic_fmpm_dynamic_full_acceleration_kinetic_feedback",
      [](account& out) {
-         solver mpm{box<2>(),
-                    quadratic_spline{},
-                    fmpm<dynamic>{3},
-                    swaying<2>(),
-                    read_out<field::full_acceleration>{},
-                    kinetic_feedback{0.2, 1.1, 9.7}};
+         auto mpm = solver_of(box<2>(), quadratic_spline{}, fmpm<dynamic>{3}, swaying<2>(),
+                              read_out<field::full_acceleration>{}, kinetic_feedback{0.2, 1.1, 9.7});
          auto body = rough_body(mpm, rubber(), middle<2>);
          roughen(body, 1.2, 0.4, 0.5);
          long k = 0;
@@ -65,7 +61,7 @@ const composition all[] = {
      [](account& out) {
          const auto push = [](const auto& x, const auto& n, double t) { return (n * (x[1] - 1 - t)).eval(); };
          const auto ends = [](const auto&, const auto& n) { return n[0] != 0; };
-         solver mpm{box<3>(), linear{}, xpic<2>{}, traction{ends, push}};
+         auto mpm = solver_of(box<3>(), linear{}, xpic<2>{}, traction{ends, push});
          const auto block_of = [](const auto& at) { return at[0] > 0.2 && at[0] < 1.8 && at[1] > 0 && at[1] < 0.7; };
          auto body = mpm.make_body(rubber(), block_of, per_cell{2});
          roughen(body, 0.6, 0.3, 0.5);

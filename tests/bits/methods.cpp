@@ -18,7 +18,7 @@ const composition all[] = {
     // Nodes of little mass make this one unstable at the step of the others.
     {"2d_linear_fmpm3_usl_minus_unlumped1",
      [](account& out) {
-         solver mpm{box<2>(), linear{}, fmpm<3>{}, boundary_method::unlumped1{}, swaying<2>()};
+         auto mpm = solver_of(box<2>(), linear{}, fmpm<3>{}, boundary_method::unlumped1{}, swaying<2>());
          auto body = rough_body(mpm, rubber(), middle<2>, fields<>{});
          roughen(body, 1.2, 0.4, 0.5);
          steps(mpm, 28, step_size / 2, body);

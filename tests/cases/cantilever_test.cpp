@@ -47,7 +47,7 @@ ratios bend(const beam_loads& given) {
     const loads all{gravity{place(0, given.weight / height)}, grid_damping{2 * frequency},
                     traction{[](const auto&, const auto& n) { return n[0] > 0; },
                              [&](const auto&, const auto&, double) { return place(0, given.end / height); }}};
-    solver mpm{uniform_grid{{0., -1.}, {8.5, 2.}, side}, quadratic_spline{}, clamp, all};
+    solver mpm{uniform_grid{{0., -1.}, {8.5, 2.}, side}, quadratic_spline{}, usl_minus{}, clamp, all};
     auto beam = mpm.make_body(
         linear_elastic{.young = young, .poisson = poisson, .density = 1},
         [](const auto& at) { return at[0] < length && at[1] > 0 && at[1] < height; }, per_cell{2}, fields<origin>{});

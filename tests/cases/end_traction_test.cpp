@@ -79,6 +79,7 @@ TEST_CASE("end traction: the bar rings about its static stretch") {
 TEST_CASE("end traction: damped, the bar comes to rest at its static stretch") {
     comes_to_rest(loads{pulled, grid_damping{3.}}, held{}, linear{}, flip{});
     comes_to_rest(loads{pulled, grid_damping{[](double t) { return t < 1 ? 0. : 3.; }}}, fmpm<2>{}, usf{});
-    comes_to_rest(loads{particle_damping{3.}, pulled});
-    comes_to_rest(loads{kinetic_feedback{0, 2 / (sigma0 * sigma0), 3}, pulled});
+    // USL+ keeps the waves of a cell or two that USL- damps besides.
+    comes_to_rest(loads{particle_damping{3.}, pulled}, usl_minus{});
+    comes_to_rest(loads{kinetic_feedback{0, 2 / (sigma0 * sigma0), 3}, pulled}, usl_minus{});
 }

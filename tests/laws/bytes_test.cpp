@@ -29,15 +29,15 @@ TEST_CASE("bytes: a particle and a node take what the composition asks for, and 
     // Particle: V, M, V0 and stress besides its place or weights. Node: m, p and f, whose columns v and a take; in 1D
     // with a lumped mass v and a have their own, as the next step's sums are made while they are read; so has the new
     // momentum of USL+. Besides, the terms of a series.
-    pin<1, linear_elastic, linear, flip, held>("held FLIP, 1D, linear", 48, lumped_1d);
-    pin<1, linear_elastic, quadratic_spline, flip, held>("held FLIP, 1D, quadratic", 80, lumped_1d);
-    pin<1, linear_elastic, linear, flip>("moving FLIP, 1D, linear", 40, lumped_1d);
-    pin<1, linear_elastic, linear, fmpm<2>, held>("held FMPM(2), 1D, linear", 48, 56);
-    pin<2, linear_elastic, quadratic_spline, pic>("moving PIC, 2D, quadratic", 72, 40);
+    pin<1, linear_elastic, linear, flip, usl_minus, held>("held FLIP, 1D, linear", 48, lumped_1d);
+    pin<1, linear_elastic, quadratic_spline, flip, usl_minus, held>("held FLIP, 1D, quadratic", 80, lumped_1d);
+    pin<1, linear_elastic, linear, flip, usl_minus>("moving FLIP, 1D, linear", 40, lumped_1d);
+    pin<1, linear_elastic, linear, fmpm<2>, usl_minus, held>("held FMPM(2), 1D, linear", 48, 56);
+    pin<2, linear_elastic, quadratic_spline, pic, usl_minus>("moving PIC, 2D, quadratic", 72, 40);
     pin<2, linear_elastic, quadratic_spline, flip, usl_plus>("moving FLIP, USL+, 2D, quadratic", 88, 56);
-    pin<2, linear_elastic, quadratic_spline, fmpm<1>>("moving FMPM(1), 2D, quadratic", 72, 40);
+    pin<2, linear_elastic, quadratic_spline, fmpm<1>, usl_minus>("moving FMPM(1), 2D, quadratic", 72, 40);
     pin<2, varying_elastic, cubic_spline, xpic<2>, usf>("moving XPIC(2), USF, 2D, cubic, its own modulus", 80, 72);
-    pin<3, linear_elastic, quadratic_spline, flip>("moving FLIP, 3D, quadratic", 112, 56);
+    pin<3, linear_elastic, quadratic_spline, flip, usl_minus>("moving FLIP, 3D, quadratic", 112, 56);
     pin<3, linear_elastic, quadratic_spline, fmpm<dynamic>, usavg_minus>("moving FMPM(k), USAVG-, 3D, quadratic", 112,
                                                                          128);
 }

@@ -57,7 +57,7 @@ void scene(const std::filesystem::path& folder, std::ofstream& out, const std::s
         }
         return uniform_grid<D, real>(low, high, real(0.125));
     }();
-    Solver mpm(grid, quadratic_spline{}, flip{});
+    Solver mpm(grid, quadratic_spline{}, flip{}, usl_minus{});
     const linear_elastic law{.young = 1e-3, .poisson = D == 1 ? 0 : 0.2, .density = 3};
     const auto ball = [](real middle) {
         return [middle](const auto& at) {
@@ -129,9 +129,9 @@ void scene(const std::filesystem::path& folder, std::ofstream& out, const std::s
 int main(int, char** argv) {
     const std::filesystem::path folder = argv[1];
     std::ofstream expected(folder / "expected.txt");
-    scene<solver<uniform_grid<1, float>, quadratic_spline, flip>>(folder, expected, "line", "float32");
-    scene<solver<uniform_grid<2, double>, quadratic_spline, flip>>(folder, expected, "plane", "float64");
-    scene<solver<uniform_grid<3, float>, quadratic_spline, flip>>(folder, expected, "box", "float32");
+    scene<solver<uniform_grid<1, float>, quadratic_spline, flip, usl_minus>>(folder, expected, "line", "float32");
+    scene<solver<uniform_grid<2, double>, quadratic_spline, flip, usl_minus>>(folder, expected, "plane", "float64");
+    scene<solver<uniform_grid<3, float>, quadratic_spline, flip, usl_minus>>(folder, expected, "box", "float32");
 
     solver mpm{uniform_grid{{0.}, {1.}, 0.25}, linear{}, leaving_removes{}};
     auto bar = mpm.make_body_at(linear_elastic{.young = 1, .density = 1}, {point<1, double>(0.99)}, 0.1);

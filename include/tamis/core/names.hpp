@@ -62,7 +62,7 @@ struct volume_ratio : scalar_field {
     static constexpr std::string_view name = "volume_ratio";
     static constexpr std::string_view unit = "1";
 };
-/// Elastic left Cauchy-Green tensor of a particle without its change of volume, of determinant 1.
+/// Elastic left Cauchy-Green tensor of a particle; `j2` keeps it without its change of volume, of determinant 1.
 struct elastic_cauchy_green : symmetric_3x3_field {
     static constexpr std::string_view name = "elastic_cauchy_green";
     static constexpr std::string_view unit = "1";

@@ -14,9 +14,9 @@
 namespace tamis {
 
 /// One composed step. Policies come in any order after the grid; those left out take their defaults (quadratic_spline,
-/// flip, usl_minus, unbounded, unloaded, moving, serial, native_lanes, leaving_stops, checked).
+/// flip, usl_plus, unbounded, unloaded, moving, serial, native_lanes, leaving_stops, checked).
 ///
-///     solver mpm{uniform_grid{{0.}, {1.}, 0.02}, linear{}, fmpm<2>{}, usl_minus{}, ends};
+///     solver mpm{uniform_grid{{0.}, {1.}, 0.02}, linear{}, fmpm<2>{}, usl_plus{}, ends};
 ///     auto bar = mpm.make_body(law, everywhere, per_cell{2});
 ///     mpm.step(bodies(bar), dt);
 template <class Grid, class... Policies> class solver : public warning_channel {

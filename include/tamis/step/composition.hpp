@@ -168,12 +168,14 @@ template <class Grid, class... P> struct composition {
     template <role R, class Default> using by_role = pick<place_of(roles, R), Default, P...>;
     using shape = typename by_role<role::shape, quadratic_spline>::type;
     using transfer = typename by_role<role::transfer, flip>::type;
-    using order = typename by_role<role::stress_order, usl_minus>::type;
     using boundary = typename by_role<role::boundary, unbounded>::type;
     using named_method = typename by_role<role::boundary_method, boundary_method::incremental>::type;
     using touch = typename by_role<role::contact, one_velocity>::type;
     using load = typename by_role<role::load, unloaded>::type;
     using motion = typename by_role<role::motion, moving>::type;
+    /// Functions that change when particles are strained go with one order only.
+    using usual_order = std::conditional_t<motion::moves && reads_particles<shape>, usl_minus, usl_plus>;
+    using order = typename by_role<role::stress_order, usual_order>::type;
     using execution = typename by_role<role::execution, serial>::type;
     using read = typename by_role<role::read_out, read_out<>>::type::read_from_nodes;
     using lane_policy = typename by_role<role::lanes, native_lanes>::type;

@@ -1,4 +1,5 @@
 #include <tamis/run/solver.hpp>
+#include <tamis/shape/gimp.hpp>
 
 #include "catch.hpp"
 
@@ -48,7 +49,7 @@ TEST_CASE("composition: what is left out takes its default") {
     using plain = composed<>;
     STATIC_REQUIRE(same<plain::shape, quadratic_spline>);
     STATIC_REQUIRE(same<plain::transfer, flip>);
-    STATIC_REQUIRE(same<plain::order, usl_minus>);
+    STATIC_REQUIRE(same<plain::order, usl_plus>);
     STATIC_REQUIRE(same<plain::boundary, unbounded>);
     STATIC_REQUIRE(same<plain::load, unloaded>);
     STATIC_REQUIRE(same<plain::motion, moving>);
@@ -56,6 +57,10 @@ TEST_CASE("composition: what is left out takes its default") {
     STATIC_REQUIRE(same<plain::lane_policy, native_lanes>);
     STATIC_REQUIRE(same<plain::leaving, leaving_stops>);
     STATIC_REQUIRE_FALSE(plain::loaded);
+    // Functions that change with the strain of moving particles are read before that.
+    STATIC_REQUIRE(same<composed<cpgimp>::order, usl_minus>);
+    STATIC_REQUIRE(same<composed<cpgimp, held>::order, usl_plus>);
+    STATIC_REQUIRE(same<composed<ugimp>::order, usl_plus>);
 }
 
 TEST_CASE("composition: a user's shape and condition take their roles") {

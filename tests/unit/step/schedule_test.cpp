@@ -134,17 +134,17 @@ TEST_CASE("schedule: node fields take the columns of those that nobody reads any
 }
 
 TEST_CASE("schedule: passes over particles and numbers a node of the composed steps") {
-    STATIC_REQUIRE(sweeps_of<flip>() == 2);
+    STATIC_REQUIRE(sweeps_of<flip, usl_minus>() == 2);
     STATIC_REQUIRE(sweeps_of<flip, usf>() == 3);
     STATIC_REQUIRE(sweeps_of<flip, usl_plus>() == 3);
     STATIC_REQUIRE(sweeps_of<flip, usavg_minus>() == 3);
     STATIC_REQUIRE(sweeps_of<pic, usavg_plus>() == 4);
     STATIC_REQUIRE(sweeps_of<apic, usl_plus>() == 3);
-    STATIC_REQUIRE(numbers_of_node<flip>() == 5);
-    STATIC_REQUIRE(numbers_of_node<pic>() == 5);
+    STATIC_REQUIRE(numbers_of_node<flip, usl_minus>() == 5);
+    STATIC_REQUIRE(numbers_of_node<pic, usl_minus>() == 5);
     STATIC_REQUIRE(numbers_of_node<pic, usl_plus>() == 5);
     STATIC_REQUIRE(numbers_of_node<flip, usl_plus>() == 7);
-    STATIC_REQUIRE(numbers_of_node<flip, held>() == 5);
+    STATIC_REQUIRE(numbers_of_node<flip, usl_minus, held>() == 5);
     // FLIP of held particles that others strain needs no momentum of the start.
     using plan = schedule_of<composition<uniform_grid<2, double>, flip, usl_plus, held>>;
     STATIC_REQUIRE_FALSE(stores<plan::layout, field::momentum>);

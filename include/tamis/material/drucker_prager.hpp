@@ -1,0 +1,179 @@
+#pragma once
+#include <tamis/core/names.hpp>
+#include <tamis/core/tensor.hpp>
+#include <tamis/material/elastic_constants.hpp>
+#include <tamis/material/principal.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+#include <type_traits>
+
+namespace tamis {
+namespace field {
+
+/// Logarithm of the volume by which a particle of grains has come apart without stress; it closes before the particle
+/// bears pressure again.
+struct opening : scalar_field {
+    static constexpr std::string_view name = "opening";
+    static constexpr std::string_view unit = "1";
+};
+
+}  // namespace field
+
+/// Grains and soils at any strain: Drucker and Prager's cone in Hencky's strain (Klar et al. 2016, *Drucker-Prager
+/// elastoplasticity for sand animation*), with a flow rule of its own angle, and the volume that separated grains have
+/// gained kept in mind (Tampubolon et al. 2017). With e = 1/2 ln b, b the elastic left Cauchy-Green tensor, the
+/// Kirchhoff stress is
+///
+///     tau = 2 mu dev e + kappa tr e 1,    |dev tau| <= k - A tr tau,    tr tau/3 <= tension
+///     A = sqrt(2/3) 2 sin(friction)/(3 - sin(friction)),    k = sqrt(2/3) 6 cohesion cos(friction)/(3 - sin(friction))
+///
+/// the cone through the compressive edges of Mohr and Coulomb's pyramid. It flows along dev tau, and swells by the same
+/// A of the angle of dilatancy. Beyond the cone's tip, or the tension that is given, the mean stress is that of the
+/// tip: what is stretched further is open. Axes beyond the dimension are held: plane strain in 2D, uniaxial strain in
+/// 1D. A particle that is turned inside out gets a stress that is no number, which stops the run. Pa and kg/m^Dim.
+struct drucker_prager {
+    /// Young's modulus (Pa), Poisson's ratio, density (kg/m^Dim).
+    double young, poisson = 0, density;
+    /// Angle of friction, from 0 to less than 90 (degrees), cohesion (Pa).
+    double friction, cohesion = 0;
+    /// Angle of dilatancy, from 0 to that of friction (degrees).
+    double dilatancy = 0;
+    /// Largest mean stress (Pa); the cone's tip bounds it too.
+    double tension = std::numeric_limits<double>::infinity();
+    using on_particles = fields<field::elastic_cauchy_green, field::opening, field::plastic_strain>;
+    static constexpr bool three_by_three = true;
+    static constexpr std::string_view name = "drucker_prager";
+
+    void check() const {
+        detail::check_elastic(name, young, poisson, density);
+        if (!(friction >= 0 && friction < 90))
+            throw error(detail::sentence(name, ": the angle of friction is ", friction,
+                                         " degrees; give one from 0 to less than 90"));
+        if (!(cohesion >= 0 && std::isfinite(cohesion)))
+            throw error(detail::sentence(name, ": the cohesion is ", cohesion, "; give 0 or a positive number"));
+        if (!(friction > 0 || cohesion > 0))
+            throw error(detail::sentence(name,
+                                         ": friction and cohesion are both 0, which bears no shear; give one of "
+                                         "them, or take a fluid's law"));
+        if (!(dilatancy >= 0 && dilatancy <= friction))
+            throw error(detail::sentence(name, ": the angle of dilatancy is ", dilatancy,
+                                         " degrees; give one from 0 to the angle of friction, ", friction));
+        if (!(tension >= 0))
+            throw error(detail::sentence(name, ": the largest tension is ", tension, "; give 0 or a positive number"));
+    }
+    /// Nothing is deformed at first.
+    void start(auto p) const {
+        using real = std::remove_cvref_t<decltype(p[open])>;
+        p[be] = detail::isotropic<matrix<3, real>>(real(1));
+    }
+    /// A particle whose elastic strain is none is refused.
+    void check(auto p) const {
+        const double trace = detail::to_double(p[be].trace());
+        if (!(trace > 0 && std::isfinite(trace)))
+            throw error(detail::sentence("its elastic Cauchy-Green tensor has the trace ", trace,
+                                         "; give it a positive tensor (the identity where nothing is deformed), and "
+                                         "see that steps are short enough to turn no particle inside out"));
+    }
+    /// Speed of longitudinal waves where nothing is deformed (m/s); sideways the material is held, in 1D too.
+    double wave_speed(int) const { return detail::elastic_wave_speed(3, young, poisson, density); }
+
+    /// Kirchhoff stress of a particle (Pa), out of the plane too: 3 x 3.
+    auto full_stress(auto&& p) const {
+        const auto now = detail::principal(p[be]);
+        return now.with(stress_of(strain_of(now.values)));
+    }
+    /// Stored elastic energy of a particle per reference volume (J/m^Dim); of its state alone.
+    auto energy(auto&& p, const auto&) const {
+        using T = std::remove_cvref_t<decltype(p[open])>;
+        const auto strain = strain_of(detail::principal(p[be]).values);
+        const T sum = strain[0] + strain[1] + strain[2], third = sum / constant<T>(3);
+        T square = constant<T>(0);
+        for (const T& one : strain) square += (one - third) * (one - third);
+        return T(constant<T>(mu()) * square + constant<T>(kappa() / 2) * sum * sum);
+    }
+
+    template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
+        static_assert(Tensor::RowsAtCompileTime == 3,
+                      "tamis: drucker_prager computes with 3x3 tensors; a law that calls it says `static constexpr "
+                      "bool three_by_three = true;`");
+        using std::sqrt;
+        using T = typename Tensor::Scalar;
+        const T zero = constant<T>(0), one = constant<T>(1), two_mu = constant<T>(2 * mu());
+        const Tensor f = detail::isotropic<Tensor>(one) + dt * L;
+        const T safe =
+            select(detail::determinant(f) > zero, one, constant<T>(std::numeric_limits<double>::quiet_NaN()));
+        const auto trial = detail::principal(Tensor(safe * Tensor(f * p[be] * f.transpose())));
+        std::array<T, 3> strain = strain_of(trial.values);
+
+        const T sum = strain[0] + strain[1] + strain[2], third = sum / constant<T>(3);
+        T square = zero;
+        for (T& one_of : strain) {
+            one_of -= third;
+            square += one_of * one_of;
+        }
+        const T shear = sqrt(square);  // |dev e|
+        // What has come apart closes first.
+        const T stretch = sum + p[open];
+        const double A = slope_of(friction), B = slope_of(dilatancy), k = offset(), bulk = kappa();
+        const T over = two_mu * shear + constant<T>(3 * A * bulk) * stretch - constant<T>(k);
+        const T flow = select(over > zero, over / constant<T>(2 * mu() + 9 * A * B * bulk), zero);
+        const T slid = select(flow < shear, flow, shear);
+        const T swollen = stretch - constant<T>(3 * B) * slid;
+        // Beyond the tip, or the tension that is borne, the rest is opening.
+        const T most = constant<T>(largest_stretch());
+        const auto opens = swollen > most;
+        const T held = select(opens, most, swollen);
+        p[open] = select(opens, swollen - most, zero);
+        const T room = (constant<T>(k) - constant<T>(3 * A * bulk) * held) / two_mu, rest = shear - slid;
+        const T least = select(room > zero, room, zero), left = select(rest < least, rest, least);
+        p[alpha] += constant<T>(std::sqrt(2. / 3)) * (shear - left);
+
+        const T scale = left / select(shear > zero, shear, one);
+        std::array<T, 3> squares;
+        for (std::size_t a = 0; a < 3; ++a) {
+            strain[a] = scale * strain[a] + held / constant<T>(3);
+            squares[a] = detail::exponential(T(constant<T>(2) * strain[a]));
+        }
+        p[be] = trial.with(squares);
+        return trial.with(stress_of(strain));
+    }
+
+  private:
+    static constexpr field::elastic_cauchy_green be{};
+    static constexpr field::opening open{};
+    static constexpr field::plastic_strain alpha{};
+
+    double mu() const { return detail::lame_mu(young, poisson); }
+    double kappa() const { return young / (3 * (1 - 2 * poisson)); }
+    static double slope_of(double degrees) {
+        const double sine = std::sin(degrees * std::numbers::pi / 180);
+        return std::sqrt(2. / 3) * 2 * sine / (3 - sine);
+    }
+    double offset() const {
+        const double angle = friction * std::numbers::pi / 180;
+        return std::sqrt(2. / 3) * 6 * cohesion * std::cos(angle) / (3 - std::sin(angle));
+    }
+    /// tr e at the cone's tip or the largest tension; finite, that it can be computed with.
+    double largest_stretch() const {
+        const double A = slope_of(friction), tip = A > 0 ? offset() / (3 * A) : std::numeric_limits<double>::infinity();
+        return std::min(std::min(tip, tension) / kappa(), 1e3);
+    }
+    template <class T> static std::array<T, 3> strain_of(const std::array<T, 3>& squares) {
+        std::array<T, 3> strain;
+        for (std::size_t a = 0; a < 3; ++a) strain[a] = constant<T>(0.5) * detail::logarithm(squares[a]);
+        return strain;
+    }
+    template <class T> std::array<T, 3> stress_of(const std::array<T, 3>& strain) const {
+        const T sum = strain[0] + strain[1] + strain[2];
+        const T round = constant<T>(kappa() - 2 * mu() / 3) * sum;
+        std::array<T, 3> stress;
+        for (std::size_t a = 0; a < 3; ++a) stress[a] = constant<T>(2 * mu()) * strain[a] + round;
+        return stress;
+    }
+};
+
+}  // namespace tamis
