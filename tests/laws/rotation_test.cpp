@@ -93,7 +93,7 @@ struct matrices {
 
 /// The share of the angular momentum that a first step without stress loses.
 template <class Scheme> double lost_in_a_step(const Scheme& scheme, bool rough = false) {
-    solver mpm{box, linear{}, scheme};
+    solver mpm{box, linear{}, scheme, usl_minus{}};
     auto body = mpm.make_body(neo_hookean{.young = 10, .poisson = 0.3, .density = 2}, square, per_cell{2});
     set_velocity_of(body, [&](const auto& at) {
         return (rotation(at) + rough * place(std::sin(900 * at[0] * at[1]), std::cos(700 * at[0]))).eval();
@@ -104,7 +104,7 @@ template <class Scheme> double lost_in_a_step(const Scheme& scheme, bool rough =
 }
 /// What is left of the angular momentum after some steps of a stiff body, relative to the start.
 template <class Scheme> double left_after(int steps, const Scheme& scheme) {
-    solver mpm{box, quadratic_spline{}, scheme};
+    solver mpm{box, quadratic_spline{}, scheme, usl_minus{}};
     auto body = mpm.make_body(neo_hookean{.young = 200, .poisson = 0.3, .density = 1}, square, per_cell{2});
     set_velocity_of(body, [](const auto& at) { return rotation(at); });
     const double before = angular_momentum(body);
