@@ -123,14 +123,14 @@ struct drucker_prager {
         const T flow = select(over > zero, over / constant<T>(2 * mu() + 9 * A * B * bulk), zero);
         const T slid = select(flow < shear, flow, shear);
         const T swollen = stretch - constant<T>(3 * B) * slid;
-        // Beyond the tip, or the tension that is borne, the rest is opening.
+        // Beyond the tip, or the tension that is borne, the rest is opening; the cone is wider there, so the shear
+        // stays.
         const T most = constant<T>(largest_stretch());
         const auto opens = swollen > most;
         const T held = select(opens, most, swollen);
         p[open] = select(opens, swollen - most, zero);
-        const T room = (constant<T>(k) - constant<T>(3 * A * bulk) * held) / two_mu, rest = shear - slid;
-        const T least = select(room > zero, room, zero), left = select(rest < least, rest, least);
-        p[alpha] += constant<T>(std::sqrt(2. / 3)) * (shear - left);
+        const T left = shear - slid;
+        p[alpha] += constant<T>(std::sqrt(2. / 3)) * slid;
 
         const T scale = left / select(shear > zero, shear, one);
         std::array<T, 3> squares;
