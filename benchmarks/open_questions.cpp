@@ -355,21 +355,22 @@ void impacts() {
     each(euler{});
     add(usl_minus{}, "net", contact_method::net{});
     add(usl_minus{}, "filtered", contact_method::filtered{});
-    impact_row("usl-", impact<held, linear>(contact_method::incremental{}, flip{}), {"FLIP", "-"});
+    impact_row("usl-", impact<held, linear>(contact_method::incremental{}, flip{}, usl_minus{}), {"FLIP", "-"});
     heading("Impact, moving, quadratic, usl-", "contact", with_impact_columns({"k"}));
     const auto moving_row = [](const std::string& name, auto method) {
         for (const int k : {1, 2, 4, 8})
-            impact_row(name, impact<moving, quadratic_spline>(method, fmpm<dynamic>{k}), {std::to_string(k)});
+            impact_row(name, impact<moving, quadratic_spline>(method, fmpm<dynamic>{k}, usl_minus{}),
+                       {std::to_string(k)});
     };
     moving_row("incremental", contact_method::incremental{});
     moving_row("net", contact_method::net{});
     moving_row("filtered", contact_method::filtered{});
     moving_row("lumped", contact_method::lumped{});
     moving_row("velocity", contact_method::velocity{});
-    impact_row("FLIP", impact<moving, quadratic_spline>(contact_method::incremental{}, flip{}), {"-"});
+    impact_row("FLIP", impact<moving, quadratic_spline>(contact_method::incremental{}, flip{}, usl_minus{}), {"-"});
     const auto xpic_row = [](const std::string& name, auto method) {
         for (const int k : {2, 4, 8})
-            impact_row("XPIC, " + name, impact<moving, quadratic_spline>(method, xpic<dynamic>{k}),
+            impact_row("XPIC, " + name, impact<moving, quadratic_spline>(method, xpic<dynamic>{k}, usl_minus{}),
                        {std::to_string(k)});
     };
     xpic_row("incremental", contact_method::incremental{});
@@ -455,7 +456,7 @@ void strain_velocities() {
         for (const int k : terms) {
             const auto wave = bar_errors<held>({false, 50, 2}, scheme_of(k));
             const auto driven = bar_errors<held>({true, 100, 1.5}, scheme_of(k));
-            const auto met = impact<held, linear>(contact_method::incremental{}, scheme_of(k));
+            const auto met = impact<held, linear>(contact_method::incremental{}, scheme_of(k), usl_minus{});
             std::vector<std::string> cells{std::to_string(k)};
             for (const double value : {wave.velocity, wave.strain, wave.energy, driven.velocity, driven.strain,
                                        met.left, met.energy, met.force})
