@@ -19,7 +19,7 @@ extreme_outcome two_bars(const std::string& name, double young, double density, 
     const linear_elastic soft{.young = 1, .poisson = 0, .density = 1};
     const linear_elastic hard{.young = young, .poisson = 0, .density = density};
     const fixed ends{[](const auto& at) { return at[0] <= 0 || at[0] >= 1; }};
-    solver mpm{uniform_grid{{0.}, {1.}, 1. / cells}, linear{}, flip{}, ends, held{}};
+    solver mpm{uniform_grid{{0.}, {1.}, 1. / cells}, linear{}, flip{}, usl_minus{}, ends, held{}};
     auto left = mpm.make_body(
         soft, [](const auto& at) { return at[0] < 0.5; }, per_cell{2});
     auto right = mpm.make_body(
@@ -55,7 +55,7 @@ extreme_outcome two_bars(const std::string& name, double young, double density, 
 extreme_outcome huge_courant() {
     std::string sentence = "nothing";
     const fixed ends{[](const auto& at) { return at[0] <= 0 || at[0] >= 1; }};
-    solver mpm{uniform_grid{{0.}, {1.}, 0.125}, linear{}, flip{}, ends, held{}};
+    solver mpm{uniform_grid{{0.}, {1.}, 0.125}, linear{}, flip{}, usl_minus{}, ends, held{}};
     auto bar = mpm.make_body(linear_elastic{.young = 1, .poisson = 0, .density = 1}, everywhere, per_cell{2});
     try {
         integrate(mpm, bodies(bar), interval{0, 1}, courant{1e6});

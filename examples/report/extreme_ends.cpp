@@ -20,7 +20,7 @@ extreme_outcome particle_on_node() {
     bool good = true;
     const double ulp = std::numeric_limits<double>::epsilon();
     for (const double place : {0.5, std::nextafter(0.5, 0.), std::nextafter(0.5, 1.), ulp, 0., 1 - ulp / 2, 1.}) {
-        solver mpm{uniform_grid{{0.}, {1.}, 0.125}, quadratic_spline{}, flip{}, ends};
+        solver mpm{uniform_grid{{0.}, {1.}, 0.125}, quadratic_spline{}, flip{}, usl_minus{}, ends};
         auto bar = mpm.make_body_at(linear_elastic{.young = 1, .poisson = 0, .density = 1},
                                     std::vector<point<1, double>>{point<1, double>(place)}, 0.0625);
         const auto where = [&] { return (*std::as_const(bar).begin())[x][0]; };
@@ -76,7 +76,7 @@ extreme_outcome light_node_is_told() {
 }
 
 extreme_outcome stretched() {
-    solver mpm{uniform_grid{{0.}, {64.}, 1.}, quadratic_spline{}, flip{}};
+    solver mpm{uniform_grid{{0.}, {64.}, 1.}, quadratic_spline{}, flip{}, usl_minus{}};
     auto bar = mpm.make_body(
         linear_elastic{.young = 1, .poisson = 0, .density = 1}, [](const auto& at) { return at[0] > 28 && at[0] < 36; },
         per_cell{2});
