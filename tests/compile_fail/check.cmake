@@ -1,7 +1,7 @@
-# cmake -DCOMPILER=<compiler> -DFLAGS=<response file> -DSOURCE=<file> -P check.cmake
+# cmake -DCOMPILER=<compiler> -DFLAGS=<response file> -DUSE=<flags of the parsed headers> -DSOURCE=<file> -P check.cmake
 cmake_minimum_required(VERSION 3.22)
 get_filename_component(name ${SOURCE} NAME)
-execute_process(COMMAND ${COMPILER} @${FLAGS} ${SOURCE}
+execute_process(COMMAND ${COMPILER} @${FLAGS} -fsyntax-only ${USE} ${SOURCE}
                 RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 
 if(name STREQUAL "good.cpp")

@@ -168,9 +168,9 @@ template <class Lattice, class Shape, class... Body> class csv_output {
     static constexpr int dim = Lattice::D;
     using first_body = std::tuple_element_t<0, std::tuple<Body...>>;
     template <class F> using column = stored_field<first_body, F>;
-    /// Fields that have no place in the tables' first columns, or that only a step works with.
+    /// Fields that have their place in the tables' first columns.
     using listed = fields<field::position, field::mass, field::velocity, field::volume, field::stress, field::density,
-                          field::strain, field::displacement>;
+                          field::strain>;
     static constexpr bool has_density = (tells_density<Body> && ...), has_strain = (tells_strain<Body> && ...);
     const Lattice& lattice_;
     const Shape& functions_;

@@ -16,14 +16,14 @@ enum class field_kind { scalar, vector, tensor, symmetric, other };
 
 namespace detail {
 
-template <class F> inline constexpr bool is_held_weights = false;
-template <class Shape> inline constexpr bool is_held_weights<held_weights<Shape>> = true;
+/// What is of no use between steps, or stands first.
+template <class F> inline constexpr bool is_not_walked =
+    std::same_as<F, field::position> || std::same_as<F, field::displacement>;
+template <class Shape> inline constexpr bool is_not_walked<held_weights<Shape>> = true;
 
 template <class Found, class List> struct walk_list { using type = Found; };
 template <class... Found, class F, class... Rest> struct walk_list<fields<Found...>, fields<F, Rest...>>
-    : walk_list<std::conditional_t<std::same_as<F, field::position> || is_held_weights<F>, fields<Found...>,
-                                   fields<Found..., F>>,
-                fields<Rest...>> {};
+    : walk_list<std::conditional_t<is_not_walked<F>, fields<Found...>, fields<Found..., F>>, fields<Rest...>> {};
 
 template <class F> constexpr field_kind kind_of() {
     if (std::is_base_of_v<scalar_field, F>) return field_kind::scalar;
@@ -114,7 +114,8 @@ template <class Body, class F> struct stored_field {
 };
 
 /// The fields that the walk over a body shows, in its order: the position, also where particles are held and keep
-/// weights in its place, then all others that the body stores, in the order of storage.
+/// weights in its place, then all others that the body stores, in the order of storage; not the way of a step, which
+/// means nothing after it.
 template <class Body> using stored_fields =
     typename detail::walk_list<fields<field::position>, typename Body::field_list>::type;
 

@@ -21,7 +21,7 @@ const linear_elastic law{.young = 4, .poisson = 0, .density = 1};
 
 /// A bar of particles that are held, at rest.
 struct scene {
-    solver<grid, linear, held> mpm{line, linear{}, held{}};
+    solver<grid, linear, usl_minus, held> mpm{line, linear{}, usl_minus{}, held{}};
     decltype(mpm)::body_for<linear_elastic> bar = mpm.make_body(law, everywhere, per_cell{1});
 };
 template <class Pace> std::string refusal(interval span, Pace pace) {
@@ -115,7 +115,7 @@ TEST_CASE("integrate: without a number steps are a share of the composition's li
 }
 
 TEST_CASE("integrate: steps too large for a free end are told once, to whom it concerns") {
-    solver mpm{grid{{0.}, {8.}, 0.25}, linear{}, fmpm<2>{}, held{}};
+    solver mpm{grid{{0.}, {8.}, 0.25}, linear{}, fmpm<2>{}, usl_minus{}, held{}};
     // The last particle is beyond a node by a hundredth of a cell: that node has 1/200 of an inner one's mass.
     std::vector<point<1, double>> places;
     for (int p = 0; p < 17; ++p) places.push_back(point<1, double>(2 + 0.0025 + p / 8.));
@@ -138,7 +138,7 @@ TEST_CASE("integrate: steps too large for a free end are told once, to whom it c
     CHECK(mpm.warnings()[0] == told[0].sentence);
     // An automatic step keeps to it.
     told.clear();
-    solver fresh{grid{{0.}, {8.}, 0.25}, linear{}, fmpm<2>{}, held{}};
+    solver fresh{grid{{0.}, {8.}, 0.25}, linear{}, fmpm<2>{}, usl_minus{}, held{}};
     auto same = fresh.make_body_at(law, places, 0.125);
     integrate(fresh, bodies(same), {0, 1}, courant{}, listen);
     CHECK(told.empty());

@@ -95,7 +95,7 @@ TEST_CASE("step_limit: the lightest inner node of all bodies is what a free end 
 }
 
 TEST_CASE("step_limit: a node of next to no mass does not stop an automatic step: a tenth of the inner limit is kept") {
-    solver mpm{grid{{0.}, {8.}, 0.25}, linear{}, fmpm<2>{}, held{}};
+    solver mpm{grid{{0.}, {8.}, 0.25}, linear{}, fmpm<2>{}, usl_minus{}, held{}};
     auto bar = mpm.make_body_at(law, ending_at_node(2, 1e-9), 0.125);
     const auto limit = detail::limit_of(mpm, bodies(bar), {});
     CHECK(limit.free_end < 1e-3);
