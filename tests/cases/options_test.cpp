@@ -1,5 +1,7 @@
 // The scenes as programs: every option, what is refused, and what is written.
+#include "bar.hpp"
 #include "program.hpp"
+#include "scenes/standing_wave.hpp"
 
 #include "catch.hpp"
 
@@ -98,7 +100,11 @@ TEST_CASE("every option is taken") {
     };
     CHECK(with("--cells 30")["cells"] == 30);
     CHECK(with("--per-cell 3")["particle_count"] == 150);
-    for (const std::string shape : {"linear", "quadratic", "cubic"}) CHECK(with("--shape " + shape)["shape"] == shape);
+    for (const std::string shape : {"linear", "quadratic", "cubic"}) {
+        bar_options o(standing_wave());
+        o.shape = shape;
+        if (is_built(o)) CHECK(with("--shape " + shape)["shape"] == shape);
+    }
     for (const std::string update : {"pic", "flip", "blend", "xpic", "fmpm"})
         CHECK(with("--update " + update)["update"] == update);
     CHECK(with("--update xpic --order 5")["order"] == 5);
