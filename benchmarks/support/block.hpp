@@ -14,11 +14,10 @@ template <class Solver, class Body> struct stepped {
     std::size_t particles() const { return body->size(); }
 };
 
-template <int Dim, class Real, class Law = tamis::linear_elastic, class... Policies>
-auto ordered_block(int n, Policies... policies) {
+template <int Dim, class Real, class Law, class... Policies>
+auto block_of(const Law& law, int n, Policies... policies) {
     using namespace tamis;
     using namespace tamis::symbols;
-    const Law law{.young = 1e6, .poisson = Dim == 1 ? 0.0 : 0.3, .density = 1000};
     const Real h = Real(1) / Real(n);
     Real lower[Dim], upper[Dim];
     for (int d = 0; d < Dim; ++d) {
@@ -39,17 +38,18 @@ auto ordered_block(int n, Policies... policies) {
     for (auto p : *body)
         for (int d = 0; d < Dim; ++d) p[v][d] = Real(0.01 * std::sin(3 * double(p[x][d])));
     // However long the timing runs, the block stays where it is, and far from what any composition finds unstable.
-    const Real dt = Real(1e-7) * h / Real(std::sqrt(law.young / law.density));
+    const Real dt = Real(1e-7) * h / Real(law.wave_speed(Dim));
     return stepped<solver_type, body_type>{std::move(mpm), std::move(body), dt};
 }
 
 /// The step is that of USL-, in two sweeps, where no other order is named.
 template <int Dim, class Real, class Law = tamis::linear_elastic, class... Policies>
 auto elastic_block(int n, Policies... policies) {
+    const Law law{.young = 1e6, .poisson = Dim == 1 ? 0.0 : 0.3, .density = 1000};
     if constexpr ((tamis::StressOrder<Policies> || ...))
-        return ordered_block<Dim, Real, Law>(n, policies...);
+        return block_of<Dim, Real>(law, n, policies...);
     else
-        return ordered_block<Dim, Real, Law>(n, policies..., tamis::usl_minus{});
+        return block_of<Dim, Real>(law, n, policies..., tamis::usl_minus{});
 }
 
 template <class Problem> struct hand_stepped {

@@ -5,6 +5,6 @@
 using namespace tamis;
 using namespace tamis::detail;
 
-using text = stages<p2g<field::force, unloaded>, divide<field::force, field::acceleration>>;
+using text = stages<p2g<field::force, unloaded, moving>, divide<field::force, field::acceleration>>;
 constexpr int passes = schedule<space<2, double>, text>::count;
 int main() { return passes; }

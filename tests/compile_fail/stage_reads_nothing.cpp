@@ -5,6 +5,6 @@
 using namespace tamis;
 using namespace tamis::detail;
 
-using text = stages<divide<field::force, field::acceleration>, p2g<field::force, unloaded>>;
+using text = stages<divide<field::force, field::acceleration>, p2g<field::force, unloaded, moving>>;
 constexpr int passes = schedule<space<2, double>, text, fields<field::acceleration, field::inverse_mass>>::count;
 int main() { return passes; }

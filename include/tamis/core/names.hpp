@@ -83,8 +83,13 @@ struct id : scalar_field {
     static constexpr std::string_view name = "id";
 };
 /// How far a particle moves in this step (m): held back while a stress order still needs its place at the start.
+struct step_displacement : vector_field {
+    static constexpr std::string_view name = "step_displacement", particle_letter = "U";
+    static constexpr std::string_view unit = "m";
+};
+/// How far a particle of `total_lagrangian` is from where it was made (m); its position is where it is now.
 struct displacement : vector_field {
-    static constexpr std::string_view name = "displacement", particle_letter = "U";
+    static constexpr std::string_view name = "displacement", particle_letter = "u";
     static constexpr std::string_view unit = "m";
 };
 /// Slope of the velocity that a particle carries, C of APIC and its relatives (1/s): at x it is V + C (x - X).

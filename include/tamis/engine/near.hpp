@@ -35,8 +35,12 @@ template <class S, class Slot, class Shown> struct slot_row {
         if constexpr (std::same_as<F, field::position>) {
             if constexpr (writes<Shown, F>)
                 return position_reference<S>{all.template get<F>(), at};
-            else
-                return position_reference<S>::place(all.template get<F>(), at);
+            else {
+                typename S::vector now = position_reference<S>::place(all.template get<F>(), at);
+                if constexpr (stores<typename std::remove_cvref_t<Slot>::list, field::displacement>)
+                    now += all.template get<field::displacement>();
+                return now;
+            }
         } else if constexpr (std::is_base_of_v<symmetric_field, F>) {
             static_assert(!std::same_as<F, field::stress> || !writes<Shown, F>,
                           "tamis: the stress is written through the law's return value; declare "

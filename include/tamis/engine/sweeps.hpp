@@ -20,7 +20,8 @@ namespace tamis::detail {
 /// frame, gathered)`, what becomes of them, if it `updates`; `sums`, the node fields that they add to; `make(slot,
 /// frame, gathered)`, the terms they give (terms.hpp); `reads`, the particle fields that it looks at; `look()`, other
 /// nodes that it looks at, or `no_look`; `moves`: does it change places?; `fence()`: what they may not pass then.
-template <class S, class Shape, class Layout, class Execution, bool Moves> class sweeps
+/// Weights are made from `Places` that particles store, or kept.
+template <class S, class Shape, class Layout, class Execution, bool Moves, bool Places = Moves> class sweeps
     : public node_sweeps<S, Shape, Layout, Execution> {
     using base = node_sweeps<S, Shape, Layout, Execution>;
 
@@ -34,7 +35,7 @@ template <class S, class Shape, class Layout, class Execution, bool Moves> class
     using typename base::nodes_type;
     using typename base::real;
     using typename base::T;
-    using weigh_type = tile_weights<S, Shape, Moves>;
+    using weigh_type = tile_weights<S, Shape, Places>;
     static constexpr int W = S::width, N = Shape::support;
 
     sweeps(const Shape& functions, const lattice_type& lattice, const Execution& run)

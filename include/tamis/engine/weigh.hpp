@@ -5,11 +5,11 @@
 
 namespace tamis::detail {
 
-/// Weights of the particles of one tile: made from their places, or recalled where they are held.
-template <class S, class Shape, bool Moves> struct tile_weights {
+/// Weights of the particles of one tile: made from the places that are stored, or recalled where they are kept.
+template <class S, class Shape, bool Places> struct tile_weights {
     /// Fields of a particle that its weights are made from.
     using reads =
-        std::conditional_t<Moves, merge<fields<field::position>, on_particles_t<Shape>>, fields<held_weights<Shape>>>;
+        std::conditional_t<Places, merge<fields<field::position>, on_particles_t<Shape>>, fields<held_weights<Shape>>>;
     const Shape& functions;
     typename S::scalar inverse_spacing;
     frame<S> at;
@@ -20,12 +20,12 @@ template <class S, class Shape, bool Moves> struct tile_weights {
         : functions(the_functions),
           inverse_spacing(lattice.inverse_spacing()),
           at(lattice.frame_of(t.at)),
-          at_wall(Moves && lattice.at_wall(t.at)) {
+          at_wall(Places && lattice.at_wall(t.at)) {
         if (at_wall) walls = lattice.walls_of(t.at);
     }
     template <bool Slopes, bool Offsets, class Slot>
     TAMIS_INLINE void operator()(stencil<S, Shape::support, Slopes, Offsets>& st, const Slot& slot) const {
-        if constexpr (Moves) {
+        if constexpr (Places) {
             if constexpr (reads_particles<Shape>)
                 st.set(functions, slot.template get<field::position>(), inverse_spacing,
                        slot_row<S, const Slot, on_particles_t<Shape>>{slot, at});

@@ -25,7 +25,8 @@ struct carried_flow : vector_field {
 template <class Law, class Shape, class List> inline constexpr bool needs_flow = false;
 template <class Law, class Shape, class List>
 requires requires { typename Law::carries; }
-inline constexpr bool needs_flow<Law, Shape, List> = contains<List, held_weights<Shape>> || requires {
+inline constexpr bool needs_flow<Law, Shape, List> =
+    (contains<List, held_weights<Shape>> && !contains<List, field::displacement>) || requires {
     requires Law::carries_when_moving;
 };
 

@@ -78,10 +78,11 @@ TAMIS_NOINLINE void stress_lane_by_lane(const Law& law, Slot& slot, std::uint32_
 }
 
 /// Strains the particles of a slot by the velocity gradient over dt: the kinematic fields somebody asked for, then the
-/// law, which is told of the flow where it carries something.
+/// law, which is told of the flow where it carries something. `change(F)` is dF/dt.
 template <class S, class Law, class Slot, class... Flow>
-TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied, const frame<S>& at,
-                              const typename S::tensor& gradient, const typename S::scalar& dt, const Flow&... flow) {
+TAMIS_INLINE void strain_slot_by(const auto& change, const Law& law, Slot& slot, std::uint32_t occupied,
+                                 const frame<S>& at, const typename S::tensor& gradient, const typename S::scalar& dt,
+                                 const Flow&... flow) {
     using T = typename S::scalar;
     using tensor = typename S::tensor;
     using list = typename Slot::list;
@@ -93,7 +94,7 @@ TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied
     }
     if constexpr (stores<list, field::deformation>) {
         const tensor F = slot.template get<field::deformation>();
-        slot.template get<field::deformation>() = F + dt * (gradient * F);
+        slot.template get<field::deformation>() = F + dt * change(F);
     }
     decltype(auto) told = told_gradient<S, Law>(gradient);
     using row = slot_row<S, Slot, on_particles_t<Law>>;
@@ -109,6 +110,14 @@ TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied
         pack<S>(slot.template get<field::stress>(), tau);
     } else
         stress_lane_by_lane<S>(law, slot, occupied, at, gradient, dt);
+}
+
+/// ... where dF/dt is that gradient times F.
+template <class S, class Law, class Slot, class... Flow>
+TAMIS_INLINE void strain_slot(const Law& law, Slot& slot, std::uint32_t occupied, const frame<S>& at,
+                              const typename S::tensor& gradient, const typename S::scalar& dt, const Flow&... flow) {
+    const auto change = [&](const auto& F) TAMIS_INLINE_LAMBDA { return (gradient * F).eval(); };
+    strain_slot_by<S>(change, law, slot, occupied, at, gradient, dt, flow...);
 }
 
 }  // namespace detail

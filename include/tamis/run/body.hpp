@@ -1,5 +1,6 @@
 #pragma once
 #include <tamis/material/carried.hpp>
+#include <tamis/motion/motion.hpp>
 #include <tamis/run/particle.hpp>
 
 #include <cstddef>
@@ -151,6 +152,8 @@ template <class S, class Shape, class Law, class List> class body {
                 r = weights::template place<S>(d, [&](int c) { return first[c * W]; });
             }
             where[d] = grid.lower()[d] + grid.spacing() * (real(cell) - real(Shape::shift) + r);
+            if constexpr (detail::keeps_first_place<List>)
+                where[d] += lanes_of_slot[(store_type::slot::template first<field::displacement>() + d) * W];
         }
         return where;
     }

@@ -1,6 +1,8 @@
 #pragma once
 #include <tamis/core/each_of.hpp>
 #include <tamis/core/error.hpp>
+#include <tamis/core/tensor.hpp>
+#include <tamis/motion/motion.hpp>
 #include <tamis/run/body.hpp>
 
 #include <array>
@@ -8,6 +10,7 @@
 #include <cstddef>
 #include <string>
 #include <tuple>
+#include <type_traits>
 
 namespace tamis {
 
@@ -90,6 +93,14 @@ template <class... Body> void check_finite(const std::tuple<Body&...>& all, long
                 } catch (const error& e) {
                     why = e.what();
                 }
+            }
+            using type = std::remove_cvref_t<decltype(body)>;
+            if constexpr (keeps_first_place<typename type::field_list>) {
+                const double J = to_double(determinant(matrix<type::dim, typename type::real>(p[symbols::F])));
+                if (!(J > 0) && why.empty())
+                    why = sentence("it is turned inside out (det F = ", J,
+                                   "). Likely causes: a time step too long for its strain (dt = ", dt,
+                                   "), or a load that crushes it");
             }
             if (!std::isfinite(sum))
                 why = sentence(

@@ -58,7 +58,7 @@ template <class C> class explanation {
     }
     template <class F> static std::string symbol(bool of_particle) {
         // Held particles keep their weights, not a place.
-        if (std::same_as<F, field::position> && !C::moves) return "weights";
+        if (std::same_as<F, field::position> && !C::places) return "weights";
         if constexpr (requires { F::particle_letter; })
             if (of_particle) return std::string(F::particle_letter);
         return letter<F>();

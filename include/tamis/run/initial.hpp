@@ -1,14 +1,34 @@
 #pragma once
 #include <tamis/core/tensor.hpp>
+#include <tamis/load/body_load.hpp>
 #include <tamis/run/reach.hpp>
 
 #include <type_traits>
+#include <utility>
 
 namespace tamis {
 
-/// Particle velocities from velocity(place), in m/s.
+/// Particle velocities from velocity(place), in m/s. Where particles carry a slope of the velocity (APIC and its
+/// relatives) it is that between the particle's sides: without it they would lose at once the rotation that they have
+/// on the scale of a particle.
 template <class Body, class F> void set_velocity_of(Body& body, const F& velocity) {
-    for (auto p : body) p[symbols::v] = detail::as_point<Body::dim, typename Body::real>(velocity(p[symbols::x]));
+    using real = typename Body::real;
+    using at_point = point<Body::dim, real>;
+    for (auto p : body) {
+        const at_point where = p[symbols::x];
+        p[symbols::v] = detail::as_point<Body::dim, real>(velocity(where));
+        if constexpr (Body::has(symbols::C)) {
+            const real side = detail::side_of<Body::dim>(real(p[symbols::V]));
+            for (int d = 0; d < Body::dim; ++d) {
+                at_point low = where, high = where;
+                low[d] -= side / 2;
+                high[d] += side / 2;
+                const at_point change = detail::as_point<Body::dim, real>(velocity(std::as_const(high))) -
+                                        detail::as_point<Body::dim, real>(velocity(std::as_const(low)));
+                for (int c = 0; c < Body::dim; ++c) p[symbols::C](c, d) = change[c] / side;
+            }
+        }
+    }
 }
 /// Particle masses from density(place), in kg/m^Dim: M = rho V0.
 template <class Body, class F> void set_density_of(Body& body, const F& density) {

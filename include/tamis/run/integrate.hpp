@@ -5,6 +5,7 @@
 #include <tamis/run/warn_of_steps.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -76,9 +77,10 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, fixed_steps
     const auto look = [&](long done, double t, double dt) {
         detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
         if (done == steps.count) return;
-        const double speed = detail::signal_speed<Solver::composition_type::moves>(std::as_const(all));
+        const double speed = detail::signal_speed<typename Solver::composition_type::motion>(std::as_const(all));
         const auto limit = detail::limit_of(mpm, all, steps.limit);
         detail::check_courant(mpm, speed * dt / h, limit, dt, done, t);
+        detail::check_apart<typename Solver::composition_type::motion>(std::as_const(all), done, t);
         detail::warn_of_free_end(mpm, speed * dt / h, limit, dt);
     };
     const auto step = [&](double dt, double end) { mpm.step(all, real(dt), end); };
@@ -107,8 +109,9 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pac
     long done = 0, left = 0, since = 0, looked = 0;
     detail::step_limit limit;
     const auto choose = [&] {
-        const double speed = detail::signal_speed<Solver::composition_type::moves>(std::as_const(all));
+        const double speed = detail::signal_speed<typename Solver::composition_type::motion>(std::as_const(all));
         detail::check_finite(std::as_const(all), mpm.steps(), mpm.time(), dt);
+        detail::check_apart<typename Solver::composition_type::motion>(std::as_const(all), done, state.time);
         from = state.time;
         since = 0;
         // Free ends change slowly; an automatic step follows them.
@@ -130,7 +133,7 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pac
     (detail::tell(observers, state), ...);
     while (left > 0) {
         // Held particles' signal speed does not change.
-        if (Solver::composition_type::moves ? since == 20 : since == 1000) choose();
+        if (std::same_as<typename Solver::composition_type::motion, held> ? since == 1000 : since == 20) choose();
         ++since;
         ++done;
         --left;

@@ -89,7 +89,7 @@ template <bool Moves, class Body, class Shape> void add_particle(Body& body, con
     real* p = store.lane_of(s, cell[0] % W);
     if constexpr (stores<typename Body::field_list, field::position>)
         for (int d = 0; d < D; ++d) p[(slot::template first<field::position>() + d) * W] = local[d];
-    if constexpr (!Moves) {
+    if constexpr (stores<typename Body::field_list, held_weights<Shape>>) {
         using one = space<D, real>;
         using weights = held_weights<Shape>;
         typename weights::template value<one> kept;

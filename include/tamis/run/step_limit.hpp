@@ -1,5 +1,6 @@
 #pragma once
 #include <tamis/core/each_of.hpp>
+#include <tamis/material/principal.hpp>
 #include <tamis/run/critical_courant.hpp>
 #include <tamis/run/initial.hpp>
 #include <tamis/run/solver.hpp>
@@ -35,17 +36,50 @@ template <class Body> double wave_speed_of(const Body& body) {
     return c;
 }
 
-/// Fastest signal through the bodies (m/s).
-template <bool Moves, class... Body> double signal_speed(const std::tuple<Body&...>& all) {
+/// Cells of a body of `total_lagrangian` are strained with it: the least principal stretch of its particles, 1 at most.
+template <class Body> double least_stretch_of(const Body& body) {
+    constexpr int D = Body::dim;
+    double least = 1;  // principal value of F^T F
+    for (const auto p : body) {
+        matrix<3, double> square = matrix<3, double>::Identity();
+        const auto F = p[symbols::F];
+        for (int i = 0; i < D; ++i)
+            for (int j = 0; j < D; ++j) {
+                square(i, j) = 0;
+                for (int k = 0; k < D; ++k) square(i, j) += to_double(F(k, i)) * to_double(F(k, j));
+            }
+        // No principal value is below the mean by more than this: few particles need theirs.
+        const double mean = square.trace() / 3, apart = (square - mean * matrix<3, double>::Identity()).squaredNorm();
+        if (mean - std::sqrt(2. / 3 * apart) > 0.95 * least) continue;
+        for (const double value : principal(square).values) least = std::min(least, std::max(value, 0.));
+    }
+    return std::sqrt(least);
+}
+
+/// Fastest signal through the bodies, in cells of their grid (m/s).
+template <class Motion, class... Body> double signal_speed(const std::tuple<Body&...>& all) {
     double fastest = 0;
     const auto one = [&](const auto& body) {
-        double speed = 0;
-        if constexpr (Moves)
+        double speed = 0, stretch = 1;
+        if constexpr (Motion::moves)
             for (const auto p : body) speed = std::max(speed, detail::to_double(p[symbols::v].norm()));
-        fastest = std::max(fastest, wave_speed_of(body) + speed);
+        if constexpr (is_total_lagrangian<Motion>) stretch = least_stretch_of(body);
+        fastest = std::max(fastest, wave_speed_of(body) / stretch + speed);
     };
     detail::each_of(all, one);
     return fastest;
+}
+
+/// Bodies of `total_lagrangian` that have come together are refused.
+template <class Motion, class... Body> void check_apart([[maybe_unused]] const std::tuple<Body&...>& all,
+                                                        [[maybe_unused]] long step, [[maybe_unused]] double t) {
+    if constexpr (is_total_lagrangian<Motion> && sizeof...(Body) > 1) {
+        using first = std::remove_cvref_t<std::tuple_element_t<0, std::tuple<Body&...>>>;
+        const std::string told = overlapping<first::dim>(all).told();
+        if (!told.empty())
+            throw error(sentence("step ", step, ", t = ", t, ": ", told,
+                                 ". Bodies of total_lagrangian do not touch each other; give moving{} with a contact"));
+    }
 }
 
 /// How large a step may be.

@@ -18,7 +18,7 @@ namespace detail {
 
 /// What is of no use between steps, or stands first.
 template <class F> inline constexpr bool is_not_walked =
-    std::same_as<F, field::position> || std::same_as<F, field::displacement>;
+    std::same_as<F, field::position> || std::same_as<F, field::step_displacement>;
 template <class Shape> inline constexpr bool is_not_walked<held_weights<Shape>> = true;
 
 template <class Found, class List> struct walk_list { using type = Found; };

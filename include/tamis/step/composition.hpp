@@ -226,6 +226,13 @@ template <class Grid, class... P> struct composition {
                   "give contact_method::incremental");
 
     static constexpr bool moves = motion::moves;
+    static constexpr bool total = is_total_lagrangian<motion>;
+    static_assert(!total || !own_velocities,
+                  "tamis: total_lagrangian knows particles by their first places, where bodies that meet later do not "
+                  "touch; give moving{} with a contact, or leave the contact out");
+    /// Are weights made from places that particles store? Those of total_lagrangian stay, but three numbers and a few
+    /// products are quicker than the memory of all weights.
+    static constexpr bool places = moves || (total && !reads_particles<shape>);
     static constexpr bool assembles = may_assemble<dim, shape, mass, moves>;
     using kinds = load_kinds<load, point_type>;
     static constexpr bool loaded = kinds::on_particles || kinds::on_nodes;
@@ -236,15 +243,15 @@ template <class Grid, class... P> struct composition {
     /// Are particles updated and the next step's sums over them made in one pass? Where rows are one, sums are few and
     /// nothing but the particles gives to them.
     static constexpr bool sums_ahead = dim == 1 && S::width > 1 && S::width >= shape::support - 1 && !mass::full &&
-                                       order::before == 0 && !remaps && !own_velocities && !loaded &&
+                                       order::before == 0 && !remaps && !own_velocities && !loaded && !total &&
                                        !(moves && reads_particles<shape>);
     /// What the step itself needs of a particle.
     using step_fields =
-        merge<std::conditional_t<moves, fields<field::position>, fields<held_weights<shape>>>,
-              std::conditional_t<moves, on_particles_t<shape>, fields<>>,
+        merge<std::conditional_t<places, fields<field::position>, fields<held_weights<shape>>>,
+              std::conditional_t<moves, on_particles_t<shape>, fields<>>, on_particles_t<motion>,
               fields<field::mass, field::velocity, field::volume, field::stress>, on_particles_t<mass>,
               on_particles_t<update>, merge<typename carried::on_particles>, typename kinds::particle_fields,
-              std::conditional_t<moves && remaps, fields<field::displacement>, fields<>>>;
+              std::conditional_t<moves && remaps, fields<field::step_displacement>, fields<>>>;
 };
 
 }  // namespace tamis::detail

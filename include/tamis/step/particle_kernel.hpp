@@ -50,7 +50,7 @@ struct particle_kernel_of_parts<S, std::integer_sequence<int, K...>, Part...> : 
 
     template <class Slot> TAMIS_INLINE void update(Slot& slot, std::uint32_t occupied, const frame<S>& at,
                                                    const auto& g, const auto& flow) const {
-        values<S, fields<field::displacement>> local;
+        values<S, fields<field::step_displacement>> local;
         slot_in_pass<Slot, decltype(local)> p{slot, local};
         (update_one<K, Part>(p, occupied, at, g, flow), ...);
     }

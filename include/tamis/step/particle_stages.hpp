@@ -1,12 +1,12 @@
 #pragma once
 #include <tamis/core/names.hpp>
 #include <tamis/load/body_load.hpp>
-#include <tamis/material/flow.hpp>
-#include <tamis/material/strain.hpp>
+#include <tamis/motion/motion.hpp>
 #include <tamis/step/node_stages.hpp>
 #include <tamis/step/particle_kernel.hpp>
 #include <tamis/update/carried.hpp>
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -49,31 +49,30 @@ template <class Momentum, class Carried> struct p2g<Momentum, Carried> : over_pa
     static std::string text() { return letter<Momentum>() + " = " + std::string(Carried::text); }
 };
 /// The force of stresses and of loads on particles.
-template <class Load> struct p2g<field::force, Load> : over_particles {
+template <class Load, class Motion> struct p2g<field::force, Load, Motion> : over_particles {
+    static constexpr bool total = is_total_lagrangian<Motion>;
     // Loads may look at what a particle has.
     using on_particles =
         typename concatenate<fields<const field::volume, const field::stress>,
+                             fields_if<total, const field::deformation>,
+                             fields_if<total && !std::same_as<Load, unloaded>, const field::displacement>,
                              fields_if<!std::same_as<Load, unloaded>, const field::mass, const field::velocity>>::type;
     using on_nodes = fields<field::force>;
     template <class S, class Shape> struct part {
         using kinds = load_kinds<Load, point<S::dim, typename S::real>>;
         using sums = fields<field::force>;
         using gathers = tamis::detail::gathers<>;
-        using reads = merge<fields<field::mass, field::volume, field::stress>,
+        using reads = merge<fields<field::mass, field::volume, field::stress>, on_particles_t<Motion>,
                             std::conditional_t<kinds::on_particles, fields<field::velocity>, fields<>>,
                             typename kinds::particle_fields>;
         static constexpr bool by_slopes = true, by_offsets = false, updates = false, moves = false;
         const Load& load;
         double time;
         TAMIS_INLINE auto make(const auto& slot, [[maybe_unused]] const frame<S>& at, const auto&) const {
-            using stresses = stress_term<S, field::force>;
             using forces = plain_term<field::force, typename S::vector>;
             using couples = slope_term<field::force, typename S::tensor>;
-            // By components: a matrix times a scalar keeps copies of the scalar in memory.
-            stresses pull;
-            unroll<symmetric_field::components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
-                pull.value[c] = slot.template get<field::stress>()[c] * slot.template get<field::volume>();
-            });
+            const auto pull = pull_of(slot);
+            using stresses = std::remove_cv_t<decltype(pull)>;
             if constexpr (!kinds::on_particles)
                 return pull;
             else {
@@ -84,11 +83,36 @@ template <class Load> struct p2g<field::force, Load> : over_particles {
                     return terms<stresses, forces>{{pull}, {{loads.force}}};
             }
         }
+        /// What stresses do: -V0 tau dw, or -V0 tau F^-T dw of the reference.
+        TAMIS_INLINE static auto pull_of(const auto& slot) {
+            if constexpr (!total) {
+                // By components: a matrix times a scalar keeps copies of the scalar in memory.
+                stress_term<S, field::force> pull;
+                unroll<symmetric_field::components<S>>([&](auto c) TAMIS_INLINE_LAMBDA {
+                    pull.value[c] = slot.template get<field::stress>()[c] * slot.template get<field::volume>();
+                });
+                return pull;
+            } else {
+                const typename S::tensor F = slot.template get<field::deformation>();
+                using T = typename S::scalar;
+                const T volume = slot.template get<field::volume>(), J = determinant(F), none = constant<T>(0);
+                // What is turned inside out stops the run; lanes without a particle have no F.
+                const T wrong = select(volume > none, constant<T>(std::numeric_limits<double>::quiet_NaN()), none);
+                const T there = select(J > none, volume / J, wrong);
+                slope_term<field::force, typename S::tensor> pull{unpack<S>(slot.template get<field::stress>()) *
+                                                                  cofactor(F)};
+                unroll<S::dim * S::dim>([&](auto c) TAMIS_INLINE_LAMBDA { pull.value.data()[c] *= -there; });
+                return pull;
+            }
+        }
     };
     template <class Now> static part<typename Now::S, typename Now::C::shape> bind(const Now& now, const auto&, auto&) {
         return {now.template load_as<Load>(), now.time};
     }
-    static std::string text() { return std::same_as<Load, unloaded> ? "f = -G^T V0 tau" : "f = -G^T V0 tau + loads"; }
+    static std::string text() {
+        return std::string("f = -G^T V0 tau") + (total ? " F^-T" : "") +
+               (std::same_as<Load, unloaded> ? "" : " + loads");
+    }
 };
 
 /// `near` of a particle update: what its particles gathered of the node fields that it declares.
@@ -127,13 +151,14 @@ template <class S, class Shape, class Gathered, class Shown> struct gathered_nea
 
 /// Nodes to particles: V', and X' - X where particles move; what else the update says they carry.
 template <class Update, class Motion, class Shape> struct g2p : over_particles {
-    static constexpr bool Moves = Motion::moves;
+    static constexpr bool total = is_total_lagrangian<Motion>, Moves = Motion::moves || total;
+    using way = std::conditional_t<total, field::displacement, field::step_displacement>;
     using wanted = update_fields<Update, Shape>;
     using gathers = typename wanted::template gathers<Moves>;
     static constexpr bool looks_for_mass = gathers::by_slopes;
     using on_nodes = typename wanted::template on_nodes<Moves>;
     using on_particles = typename concatenate<on_particles_t<Update>, fields<field::velocity>,
-                                              fields_if<Moves, const field::velocity, field::displacement>,
+                                              fields_if<Moves, const field::velocity, way>,
                                               fields_if<wanted::affine, field::affine_velocity>>::type;
     template <class S> struct part : updates_particles<gathers, merge<on_particles_t<Update>>> {
         const Update& update_;
@@ -152,10 +177,14 @@ template <class Update, class Motion, class Shape> struct g2p : over_particles {
             velocity = std::as_const(after);
             if constexpr (wanted::affine) slot.template get<field::affine_velocity>() = update_.affine_velocity(near);
             if constexpr (Moves) {
-                p.template get<field::displacement>() = update_.displacement(before, after, near, dt);
+                const typename S::vector moved = update_.displacement(before, after, near, dt);
                 if constexpr (stores<typename slot_type::list, field::update_error>)
-                    slot.template get<field::update_error>() = p.template get<field::displacement>() / dt -
-                                                               (before + after) * constant<typename S::scalar>(0.5);
+                    slot.template get<field::update_error>() =
+                        moved / dt - (before + after) * constant<typename S::scalar>(0.5);
+                if constexpr (total)
+                    slot.template get<way>() += moved;
+                else
+                    p.template get<way>() = moved;
             }
         }
     };
@@ -167,47 +196,6 @@ template <class Update, class Motion, class Shape> struct g2p : over_particles {
         const auto u = all.find("; U"), after = u == std::string::npos ? u : all.find(';', u + 1);
         if (!Moves && u != std::string::npos) all.erase(u, after == std::string::npos ? after : after - u);
         return all;
-    }
-};
-
-/// How much of a step's strain a stress order makes before the forces, and after the particles' update.
-template <class Order> struct share_before { static constexpr double value = Order::before; };
-template <class Order> struct share_after { static constexpr double value = Order::after; };
-
-/// Particles are strained by the gradient of a node velocity, over a share of dt.
-template <class Share, class Velocity> struct strain_stage : over_particles {
-    // Nodes without mass have no part in gradients.
-    static constexpr bool looks_for_mass = true;
-    using on_nodes = fields<const Velocity>;
-    using on_particles = fields<const field::stress, field::stress>;
-    template <class S, class Law, class Look> struct part
-        : updates_particles<
-              gathers<std::conditional_t<std::same_as<Look, no_look>, fields<>, fields<Velocity>>, fields<Velocity>>,
-              fields<>> {
-        const Law& law;
-        typename S::scalar dt;
-        [[no_unique_address]] Look look_;
-        const Look& look() const { return look_; }
-        TAMIS_INLINE void update(auto& p, std::uint32_t occupied, const frame<S>& at, const auto& g,
-                                 const auto& flow) const {
-            if constexpr (std::same_as<Look, no_look>)
-                strain_slot<S>(law, p.slot, occupied, at, g.template gradient<Velocity>(), dt);
-            else
-                strain_slot<S>(law, p.slot, occupied, at, g.template gradient<Velocity>(), dt, flow);
-        }
-    };
-    template <class Now, class Body> static auto bind(const Now& now, Body& body, auto& sweeps) {
-        auto look = look_at_flow_past<typename Now::C::shape, Velocity>(body, sweeps);
-        using real = typename Now::real;
-        return part<typename Now::S, typename Body::law_type, decltype(look)>{
-            {}, body.law, typename Now::T(real(Share::value) * now.dt), look};
-    }
-    static std::string text() {
-        const double share = Share::value;
-        return "strain by " + letter<Velocity>() +
-               (share == 1     ? " over dt"
-                : share == 0.5 ? " over dt/2"
-                               : " over " + sentence(share) + " dt");
     }
 };
 
@@ -225,14 +213,14 @@ template <class Walls> struct fence_of_walls {
 /// X' = X + U, up to walls of held nodes.
 struct move : over_particles {
     using on_nodes = fields<>;
-    using on_particles = fields<const field::displacement, const field::position, field::position>;
+    using on_particles = fields<const field::step_displacement, const field::position, field::position>;
     template <class S, class Fence> struct part : updates_particles<gathers<>, fields<field::position>> {
         static constexpr bool moves = true;
         [[no_unique_address]] Fence fence_;
         Fence fence() const { return fence_; }
         TAMIS_INLINE void update(auto& p, std::uint32_t, const frame<S>& at, const auto&, const auto&) const {
             p.slot.template get<field::position>() +=
-                typename S::scalar(at.inverse_spacing) * p.template get<field::displacement>();
+                typename S::scalar(at.inverse_spacing) * p.template get<field::step_displacement>();
         }
     };
     template <class Now> static auto bind(const Now& now, auto& body, auto& sweeps) {

@@ -22,21 +22,21 @@ template <class C> struct step_text : words<C> {
                hold<C, momentum>,                   // conditions of time t
                divide<momentum, start_velocity>,    // v0 = p/m
 
-               filter<C, start_velocity, strain_velocity>,                 // full mass matrix: v_s = v0(k)
-               strain<typename of::before, typename of::velocity_before>,  // USF and USAVG
+               filter<C, start_velocity, strain_velocity>,                    // full mass matrix: v_s = v0(k)
+               strain<C, typename of::before, typename of::velocity_before>,  // USF and USAVG
 
-               p2g<force, typename of::load>,          // f = -G^T V0 tau + loads
-               damp_nodes<C>,                          // f -= alpha p
-               touch<C, force>, hold<C, force>,        // conditions of t + dt
-               check<C, divide<force, acceleration>>,  // a = f/m
-               advance<start_velocity, velocity>,      // v = v0 + a dt
-               solve<C>,                               // FMPM: v = v(k). XPIC: v_x = v0(k) + a dt
+               p2g<force, typename of::load, typename C::motion>,  // f = -G^T V0 tau + loads
+               damp_nodes<C>,                                      // f -= alpha p
+               touch<C, force>, hold<C, force>,                    // conditions of t + dt
+               check<C, divide<force, acceleration>>,              // a = f/m
+               advance<start_velocity, velocity>,                  // v = v0 + a dt
+               solve<C>,                                           // FMPM: v = v(k). XPIC: v_x = v0(k) + a dt
                g2p<typename C::update, typename C::motion, typename C::shape>,  // V', U
 
                p2g<new_momentum, typename C::carried>,  // p_n = S^T M V'       (USL+ and USAVG+)
                touch<C, new_momentum>, hold<C, new_momentum>, divide<new_momentum, new_velocity>,  // v_n = p_n/m
                filter<C, new_velocity, new_velocity>,
-               strain<typename of::after, typename of::velocity_after>,  // USL-: by v. USL+: by v_n
+               strain<C, typename of::after, typename of::velocity_after>,  // USL-: by v. USL+: by v_n
 
                typename of::motion>;  // X' = X + U; particles go to their cells
 };

@@ -20,7 +20,7 @@ template <class C> struct velocity_field {
     using layout = typename schedule_of<C>::layout;
     using sweeps_type =
         std::conditional_t<C::sums_ahead, sweeps_ahead<S, typename C::shape, layout, typename C::execution, C::moves>,
-                           detail::sweeps<S, typename C::shape, layout, typename C::execution, C::moves>>;
+                           detail::sweeps<S, typename C::shape, layout, typename C::execution, C::moves, C::places>>;
     using lattice_type = lattice<S, typename C::shape>;
     using held_type = held_nodes<S, typename C::shape, typename C::boundary, typename C::method>;
 

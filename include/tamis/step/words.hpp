@@ -3,6 +3,7 @@
 #include <tamis/step/composition.hpp>
 #include <tamis/step/node_stages.hpp>
 #include <tamis/step/particle_stages.hpp>
+#include <tamis/step/strain_stage.hpp>
 
 namespace tamis::detail {
 
@@ -28,7 +29,8 @@ template <class C> using damp_nodes = stage_if<C::kinds::on_nodes, damp_stage<C>
 /// A stage that makes what must be numbers, if the composition looks.
 template <class C, class Stage> using check = std::conditional_t<C::checks, watched<Stage>, Stage>;
 
-template <class Share, class Velocity> using strain = stage_if<(Share::value > 0), strain_stage<Share, Velocity>>;
+template <class C, class Share, class Velocity> using strain =
+    stage_if<(Share::value > 0), strain_stage<Share, Velocity, typename C::motion>>;
 
 /// Velocities that strain particles but are not taken by them.
 template <class C, class From, class To> using filter =

@@ -48,12 +48,12 @@ TEST_CASE("step_limit: the fastest of several bodies counts, and the fastest par
         law, [](const auto& at) { return at[0] > 1 && at[0] < 2; }, per_cell{2});
     auto fast = mpm.make_body(
         linear_elastic{.young = 9, .density = 1}, [](const auto& at) { return at[0] > 8 && at[0] < 9; }, per_cell{2});
-    const auto speed = [&] { return detail::signal_speed<true>(bodies(slow, fast)); };
+    const auto speed = [&] { return detail::signal_speed<moving>(bodies(slow, fast)); };
     CHECK(speed() == 3);
-    CHECK(detail::signal_speed<true>(bodies(fast, slow)) == 3);
+    CHECK(detail::signal_speed<moving>(bodies(fast, slow)) == 3);
     (*slow.begin())[v][0] = -5;
     CHECK(speed() == 7);
-    CHECK(detail::signal_speed<false>(bodies(slow, fast)) == 3);
+    CHECK(detail::signal_speed<held>(bodies(slow, fast)) == 3);
 }
 
 TEST_CASE("step_limit: the largest and the smallest volume of a body both count") {

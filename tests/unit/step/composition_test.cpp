@@ -73,7 +73,7 @@ TEST_CASE("composition: held particles keep weights, moving ones a place") {
     STATIC_REQUIRE(stores<composed<linear>::step_fields, field::position>);
     STATIC_REQUIRE_FALSE(stores<composed<linear, held>::step_fields, field::position>);
     STATIC_REQUIRE(stores<composed<linear, held>::step_fields, detail::held_weights<linear>>);
-    STATIC_REQUIRE(stores<composed<usl_plus>::step_fields, field::displacement>);
-    STATIC_REQUIRE_FALSE(stores<composed<usl_plus, held>::step_fields, field::displacement>);
-    STATIC_REQUIRE_FALSE(stores<composed<usl_minus>::step_fields, field::displacement>);
+    STATIC_REQUIRE(stores<composed<usl_plus>::step_fields, field::step_displacement>);
+    STATIC_REQUIRE_FALSE(stores<composed<usl_plus, held>::step_fields, field::step_displacement>);
+    STATIC_REQUIRE_FALSE(stores<composed<usl_minus>::step_fields, field::step_displacement>);
 }
