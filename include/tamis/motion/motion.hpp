@@ -16,7 +16,7 @@ struct held {
     static constexpr bool moves = false;
 };
 /// Particles move, but their weights are those of the places where they were made (total Lagrangian MPM, de Vaucorbeil,
-/// Nguyen & Hutchinson, *Comput. Methods Appl. Mech. Eng.* 360, 2020): slopes are by the reference places, forces those
+/// Nguyen & Hutchinson 2020, *Comput. Methods Appl. Mech. Eng.* 360): slopes are by the reference places, forces those
 /// of the first Piola-Kirchhoff stress P = tau F^-T. No particle crosses a cell, and none comes apart from its
 /// neighbours, however far it is stretched. The grid only needs to hold the bodies as they are made. Conditions hold
 /// the nodes of the reference, tractions are per area of the reference, and bodies that share nodes there stay bonded;
