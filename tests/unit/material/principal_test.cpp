@@ -96,3 +96,42 @@ TEST_CASE("principal: values and axes of symmetric tensors, in lanes and without
     all(0.);
     all(native_lanes::type<double>());
 }
+
+TEST_CASE("principal: a lane has the same bits whatever the others need, and what is not a number stays so") {
+    using T = native_lanes::type<double>;
+    using full = Eigen::Matrix<T, 3, 3, Eigen::DontAlign>;
+    constexpr int W = lane<T>::width;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> any(-1, 1);
+    const auto filled = [&](const auto& of_lane) {
+        full lanes_of;
+        for (int c = 0; c < 9; ++c) {
+            double in[W];
+            for (int l = 0; l < W; ++l) in[l] = of_lane(l).data()[c];
+            lanes_of.data()[c] = lane<T>::load(in);
+        }
+        return lanes_of;
+    };
+    const auto first_of = [](const T& a) {
+        double out[W];
+        lane<T>::store(out, a);
+        return out[0];
+    };
+    for (int n = 0; n < 2000; ++n) {
+        tensor3 nearly = tensor3::Identity(), rough;
+        for (int c = 0; c < 9; ++c) rough.data()[c] = any(random);
+        rough = (rough + rough.transpose()).eval();
+        const double size = std::pow(10, -17 * std::abs(any(random)));
+        nearly += size * rough;
+        const auto alone = detail::principal(filled([&](int) { return nearly; })),
+                   beside = detail::principal(filled([&](int l) { return l == 0 ? nearly : rough; }));
+        for (std::size_t k = 0; k < 3; ++k) REQUIRE(first_of(alone.values[k]) == first_of(beside.values[k]));
+        for (int c = 0; c < 9; ++c) REQUIRE(first_of(alone.axes.data()[c]) == first_of(beside.axes.data()[c]));
+    }
+    for (int c = 0; c < 9; ++c) {
+        tensor3 broken = tensor3::Identity();
+        broken.data()[c] = broken(c % 3, c / 3) = broken(c / 3, c % 3) = std::nan("");
+        const auto found = detail::principal(filled([&](int) { return broken; }));
+        for (const T& value : found.values) CHECK(std::isnan(first_of(value)));
+    }
+}
