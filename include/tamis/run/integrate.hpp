@@ -44,7 +44,7 @@ inline void check_count(const fixed_steps& steps) {
 template <class Look, class Step, class... Observer>
 long in_equal_steps(const interval& span, long count, long n, Look look, Step step, Observer&... observers) {
     const double dt = (span.end - span.begin) / static_cast<double>(count);
-    progress_state state{0, count, span.begin, span};
+    progress_state state{0, count, span.begin, span, dt, step_bound::given};
     (tell(observers, state), ...);
     for (long k = 1; k <= count; ++k) {
         if ((k - 1) % n == 0) look(k - 1, state.time, dt);
@@ -121,12 +121,18 @@ long integrate(Solver& mpm, std::tuple<Body&...> all, interval span, courant pac
         const double number = pace.number ? *pace.number : pace.safety * detail::automatic_number(limit);
         detail::warn_of_free_end(mpm, number, limit, number * h / speed);
         if (!pace.number) detail::warn_of_unknown_limit(mpm, number, limit);
-        const double by_roles = pace.safety * detail::largest_step(mpm, std::as_const(all), from);
-        const double wanted = std::max((span.end - from) * speed / (number * h), (span.end - from) / by_roles);
+        detail::bounded_step largest = detail::largest_step(mpm, std::as_const(all), from);
+        largest.dt *= pace.safety;
+        const bool light = detail::automatic_number(limit) < limit.inner;
+        largest.heed(number * h / speed, pace.number ? step_bound::given
+                                         : light     ? step_bound::free_end
+                                                     : step_bound::waves);
+        const double wanted = (span.end - from) / largest.dt;
         if (!(wanted < 1e15))
             throw error("integrate: the bodies' speed is not finite; check the law and the velocities");
         left = std::max(1L, static_cast<long>(std::ceil(wanted * (1 - 1e-12))));
-        dt = (span.end - from) / static_cast<double>(left);
+        state.dt = dt = (span.end - from) / static_cast<double>(left);
+        state.bound = largest.bound;
         state.steps = done + left;
     };
     choose();

@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -14,12 +15,23 @@ struct interval {
     /// Times (s).
     double begin, end;
 };
+/// What a run's steps are as long as they are for: the number or count that was given, waves in the bodies, a node of
+/// little mass at a free end, a load (damping), a law (viscosity).
+enum class step_bound { given, waves, free_end, load, law };
+/// In words: "given", "waves", "free end", "load", "law".
+inline std::string_view name_of(step_bound bound) {
+    constexpr std::string_view names[] = {"given", "waves", "free end", "load", "law"};
+    return names[static_cast<int>(bound)];
+}
+
 /// Where a run stands; what observers are told.
 struct progress_state {
-    long step;      ///< Steps done.
-    long steps;     ///< Steps in all, as far as is known now.
-    double time;    ///< At the end of the last step (s).
-    interval span;  ///< Of the run.
+    long step;                             ///< Steps done.
+    long steps;                            ///< Steps in all, as far as is known now.
+    double time;                           ///< At the end of the last step (s).
+    interval span;                         ///< Of the run.
+    double dt = 0;                         ///< Of the steps now (s).
+    step_bound bound = step_bound::given;  ///< What allows no longer ones.
 };
 
 namespace detail {

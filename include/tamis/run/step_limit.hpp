@@ -3,6 +3,7 @@
 #include <tamis/material/principal.hpp>
 #include <tamis/run/critical_courant.hpp>
 #include <tamis/run/initial.hpp>
+#include <tamis/run/observer.hpp>
 #include <tamis/run/solver.hpp>
 
 #include <algorithm>
@@ -90,19 +91,28 @@ struct step_limit {
     double share = 1;     // of an inner node's mass that the lightest free node has
 };
 
-/// The largest step (s) that roles ask for besides waves, at time t: a load by `largest_step(t)`, a law by
+/// The largest step (s) that one of several limits allows.
+struct bounded_step {
+    double dt = std::numeric_limits<double>::infinity();
+    step_bound bound = step_bound::given;
+    void heed(double largest, step_bound by) {
+        if (largest < dt) *this = {largest, by};
+    }
+};
+
+/// The largest step that roles ask for besides waves, at time t: a load by `largest_step(t)`, a law by
 /// `largest_step(h, Dim)`. Infinity if none does.
 template <class Solver, class... Body>
-double largest_step(const Solver& mpm, const std::tuple<Body&...>& all, double t) {
-    double least = std::numeric_limits<double>::infinity();
+bounded_step largest_step(const Solver& mpm, const std::tuple<Body&...>& all, double t) {
+    bounded_step least;
     if constexpr (requires { mpm.load(); })
         each_load(mpm.load(), [&](auto, const auto& load) {
-            if constexpr (requires { load.largest_step(t); }) least = std::min(least, load.largest_step(t));
+            if constexpr (requires { load.largest_step(t); }) least.heed(load.largest_step(t), step_bound::load);
         });
     const auto of_law = [&](const auto& body) {
         const double h = to_double(mpm.grid().spacing());
         if constexpr (requires { body.law.largest_step(h, Solver::dim); })
-            least = std::min(least, body.law.largest_step(h, Solver::dim));
+            least.heed(body.law.largest_step(h, Solver::dim), step_bound::law);
     };
     each_of(all, of_law);
     return least;

@@ -164,3 +164,24 @@ TEST_CASE("step_limit: fixed steps are held against the limit again after 1000 o
     CAPTURE(why);
     CHECK(names(why, "step 1000, t = 25", "Courant number", "is 2 with dt = 0.025"));
 }
+
+TEST_CASE("step_limit: observers are told what the steps are as long as they are for") {
+    const auto told = [](const auto& body_law, const auto& pace, const auto& places, const auto&... policies) {
+        solver mpm{grid{{0.}, {16.}, 0.25}, policies...};
+        auto bar = mpm.make_body_at(body_law, places, 0.125);
+        progress_state last{};
+        integrate(mpm, bodies(bar), {0, 0.01}, pace, [&](const progress_state& now) { last = now; });
+        CHECK(last.dt > 0);
+        CHECK(std::abs(last.dt * static_cast<double>(last.step) / 0.01 - 1) < 1e-12);
+        return std::string(name_of(last.bound));
+    };
+    const auto even = ending_at_node(2, 0.5), light = ending_at_node(2, 1e-3);
+    const neo_hookean stiff{.young = 4, .density = 1};
+    CHECK(told(law, courant{}, even) == "waves");
+    CHECK(told(law, courant{0.1}, even) == "given");
+    CHECK(told(law, fixed_steps{10}, even) == "given");
+    CHECK(told(law, courant{}, light, linear{}, usl_minus{}) == "free end");
+    CHECK(told(law, courant{}, even, particle_damping{1e5}) == "load");
+    CHECK(told(newtonian<neo_hookean>{stiff, 1e4}, courant{}, even) == "law");
+    CHECK(told(newtonian<neo_hookean>{stiff, 1e4}, courant{}, even, particle_damping{1e6}) == "load");
+}
