@@ -13,6 +13,7 @@
 #include <tamis/material/ideal_gas.hpp>
 #include <tamis/material/j2.hpp>
 #include <tamis/material/linear_elastic.hpp>
+#include <tamis/material/mohr_coulomb.hpp>
 #include <tamis/material/neo_hookean.hpp>
 #include <tamis/material/newtonian.hpp>
 #include <tamis/material/pressure_gas.hpp>
