@@ -1,7 +1,7 @@
 #pragma once
 #include <tamis/core/names.hpp>
 #include <tamis/core/tensor.hpp>
-#include <tamis/material/elastic_constants.hpp>
+#include <tamis/material/grains.hpp>
 #include <tamis/material/principal.hpp>
 
 #include <array>
@@ -12,17 +12,6 @@
 #include <type_traits>
 
 namespace tamis {
-namespace field {
-
-/// Logarithm of the volume by which a particle of grains has come apart without stress; it closes before the particle
-/// bears pressure again.
-struct opening : scalar_field {
-    static constexpr std::string_view name = "opening";
-    static constexpr std::string_view unit = "1";
-};
-
-}  // namespace field
-
 /// Grains and soils at any strain: Drucker and Prager's cone in Hencky's strain (Klar et al. 2016, *Drucker-Prager
 /// elastoplasticity for sand animation*), with a flow rule of its own angle, and the volume that separated grains have
 /// gained kept in mind (Tampubolon et al. 2017). With e = 1/2 ln b, b the elastic left Cauchy-Green tensor, the
@@ -48,48 +37,26 @@ struct drucker_prager {
     static constexpr bool three_by_three = true;
     static constexpr std::string_view name = "drucker_prager";
 
-    void check() const {
-        detail::check_elastic(name, young, poisson, density);
-        if (!(friction >= 0 && friction < 90))
-            throw error(detail::sentence(name, ": the angle of friction is ", friction,
-                                         " degrees; give one from 0 to less than 90"));
-        if (!(cohesion >= 0 && std::isfinite(cohesion)))
-            throw error(detail::sentence(name, ": the cohesion is ", cohesion, "; give 0 or a positive number"));
-        if (!(friction > 0 || cohesion > 0))
-            throw error(detail::sentence(name,
-                                         ": friction and cohesion are both 0, which bears no shear; give one of "
-                                         "them, or take a fluid's law"));
-        if (!(dilatancy >= 0 && dilatancy <= friction))
-            throw error(detail::sentence(name, ": the angle of dilatancy is ", dilatancy,
-                                         " degrees; give one from 0 to the angle of friction, ", friction));
-        if (!(tension >= 0))
-            throw error(detail::sentence(name, ": the largest tension is ", tension, "; give 0 or a positive number"));
-    }
+    void check() const { detail::check_grains(*this); }
     /// Nothing is deformed at first.
     void start(auto p) const {
         using real = std::remove_cvref_t<decltype(p[open])>;
         p[be] = detail::isotropic<matrix<3, real>>(real(1));
     }
     /// A particle whose elastic strain is none is refused.
-    void check(auto p) const {
-        const double trace = detail::to_double(p[be].trace());
-        if (!(trace > 0 && std::isfinite(trace)))
-            throw error(detail::sentence("its elastic Cauchy-Green tensor has the trace ", trace,
-                                         "; give it a positive tensor (the identity where nothing is deformed), and "
-                                         "see that steps are short enough to turn no particle inside out"));
-    }
+    void check(auto p) const { detail::check_elastic_cauchy_green(detail::to_double(p[be].trace())); }
     /// Speed of longitudinal waves where nothing is deformed (m/s); sideways the material is held, in 1D too.
     double wave_speed(int) const { return detail::elastic_wave_speed(3, young, poisson, density); }
 
     /// Kirchhoff stress of a particle (Pa), out of the plane too: 3 x 3.
     auto full_stress(auto&& p) const {
         const auto now = detail::principal(p[be]);
-        return now.with(stress_of(strain_of(now.values)));
+        return now.with(stress_of(detail::hencky_strain(now.values)));
     }
     /// Stored elastic energy of a particle per reference volume (J/m^Dim); of its state alone.
     auto energy(auto&& p, const auto&) const {
         using T = std::remove_cvref_t<decltype(p[open])>;
-        const auto strain = strain_of(detail::principal(p[be]).values);
+        const auto strain = detail::hencky_strain(detail::principal(p[be]).values);
         const T sum = strain[0] + strain[1] + strain[2], third = sum / constant<T>(3);
         T square = constant<T>(0);
         for (const T& one : strain) square += (one - third) * (one - third);
@@ -107,7 +74,7 @@ struct drucker_prager {
         const T safe =
             select(detail::determinant(f) > zero, one, constant<T>(std::numeric_limits<double>::quiet_NaN()));
         const auto trial = detail::principal(Tensor(safe * Tensor(f * p[be] * f.transpose())));
-        std::array<T, 3> strain = strain_of(trial.values);
+        std::array<T, 3> strain = detail::hencky_strain(trial.values);
 
         const T sum = strain[0] + strain[1] + strain[2], third = sum / constant<T>(3);
         T square = zero;
@@ -161,11 +128,6 @@ struct drucker_prager {
     double largest_stretch() const {
         const double A = slope_of(friction), tip = A > 0 ? offset() / (3 * A) : std::numeric_limits<double>::infinity();
         return std::min(std::min(tip, tension) / kappa(), 1e3);
-    }
-    template <class T> static std::array<T, 3> strain_of(const std::array<T, 3>& squares) {
-        std::array<T, 3> strain;
-        for (std::size_t a = 0; a < 3; ++a) strain[a] = constant<T>(0.5) * detail::logarithm(squares[a]);
-        return strain;
     }
     template <class T> std::array<T, 3> stress_of(const std::array<T, 3>& strain) const {
         const T sum = strain[0] + strain[1] + strain[2];

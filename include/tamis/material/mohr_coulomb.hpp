@@ -1,8 +1,7 @@
 #pragma once
 #include <tamis/core/names.hpp>
 #include <tamis/core/tensor.hpp>
-#include <tamis/material/drucker_prager.hpp>
-#include <tamis/material/elastic_constants.hpp>
+#include <tamis/material/grains.hpp>
 #include <tamis/material/principal.hpp>
 
 #include <algorithm>
@@ -43,49 +42,27 @@ struct mohr_coulomb {
     static constexpr bool three_by_three = true;
     static constexpr std::string_view name = "mohr_coulomb";
 
-    void check() const {
-        detail::check_elastic(name, young, poisson, density);
-        if (!(friction >= 0 && friction < 90))
-            throw error(detail::sentence(name, ": the angle of friction is ", friction,
-                                         " degrees; give one from 0 to less than 90"));
-        if (!(cohesion >= 0 && std::isfinite(cohesion)))
-            throw error(detail::sentence(name, ": the cohesion is ", cohesion, "; give 0 or a positive number"));
-        if (!(friction > 0 || cohesion > 0))
-            throw error(detail::sentence(name,
-                                         ": friction and cohesion are both 0, which bears no shear; give one of "
-                                         "them, or take a fluid's law"));
-        if (!(dilatancy >= 0 && dilatancy <= friction))
-            throw error(detail::sentence(name, ": the angle of dilatancy is ", dilatancy,
-                                         " degrees; give one from 0 to the angle of friction, ", friction));
-        if (!(tension >= 0))
-            throw error(detail::sentence(name, ": the largest tension is ", tension, "; give 0 or a positive number"));
-    }
+    void check() const { detail::check_grains(*this); }
     /// Nothing is deformed at first.
     void start(auto p) const {
         using real = std::remove_cvref_t<decltype(p[open])>;
         p[be] = detail::isotropic<matrix<3, real>>(real(1));
     }
     /// A particle whose elastic strain is none is refused.
-    void check(auto p) const {
-        const double trace = detail::to_double(p[be].trace());
-        if (!(trace > 0 && std::isfinite(trace)))
-            throw error(detail::sentence("its elastic Cauchy-Green tensor has the trace ", trace,
-                                         "; give it a positive tensor (the identity where nothing is deformed), and "
-                                         "see that steps are short enough to turn no particle inside out"));
-    }
+    void check(auto p) const { detail::check_elastic_cauchy_green(detail::to_double(p[be].trace())); }
     /// Speed of longitudinal waves where nothing is deformed (m/s); sideways the material is held, in 1D too.
     double wave_speed(int) const { return detail::elastic_wave_speed(3, young, poisson, density); }
 
     /// Kirchhoff stress of a particle (Pa), out of the plane too: 3 x 3.
     auto full_stress(auto&& p) const {
         const auto now = detail::principal(p[be]);
-        const auto [dev, sum] = parts_of(strain_of(now.values));
+        const auto [dev, sum] = parts_of(detail::hencky_strain(now.values));
         return now.with(stress_of(dev, sum));
     }
     /// Stored elastic energy of a particle per reference volume (J/m^Dim); of its state alone.
     auto energy(auto&& p, const auto&) const {
         using T = std::remove_cvref_t<decltype(p[open])>;
-        const auto [dev, sum] = parts_of(strain_of(detail::principal(p[be]).values));
+        const auto [dev, sum] = parts_of(detail::hencky_strain(detail::principal(p[be]).values));
         return T(constant<T>(mu()) * square_of(dev) + constant<T>(kappa() / 2) * sum * sum);
     }
 
@@ -100,7 +77,7 @@ struct mohr_coulomb {
         const T safe =
             select(detail::determinant(f) > zero, one, constant<T>(std::numeric_limits<double>::quiet_NaN()));
         auto trial = detail::principal(Tensor(safe * Tensor(f * p[be] * f.transpose())));
-        trial.values = strain_of(trial.values);
+        trial.values = detail::hencky_strain(trial.values);
         in_order<0, 1>(trial);
         in_order<1, 2>(trial);
         in_order<0, 1>(trial);
@@ -194,11 +171,6 @@ struct mohr_coulomb {
         };
         exchange(form.values[P], form.values[Q]);
         for (int i = 0; i < 3; ++i) exchange(form.axes(i, P), form.axes(i, Q));
-    }
-    template <class T> static std::array<T, 3> strain_of(const std::array<T, 3>& squares) {
-        std::array<T, 3> strain;
-        for (std::size_t a = 0; a < 3; ++a) strain[a] = constant<T>(0.5) * detail::logarithm(squares[a]);
-        return strain;
     }
     template <class T> static parts<T> parts_of(const std::array<T, 3>& strain) {
         const T sum = strain[0] + strain[1] + strain[2], third = sum / constant<T>(3);
