@@ -10,6 +10,7 @@
 #include <tamis/shape/linear.hpp>
 #include <tamis/shape/quadratic_spline.hpp>
 #include <tamis/material/drucker_prager.hpp>
+#include <tamis/material/granular_flow.hpp>
 #include <tamis/material/ideal_gas.hpp>
 #include <tamis/material/j2.hpp>
 #include <tamis/material/linear_elastic.hpp>
