@@ -13,6 +13,8 @@
 #include <tamis/material/granular_flow.hpp>
 #include <tamis/material/ideal_gas.hpp>
 #include <tamis/material/j2.hpp>
+#include <tamis/material/johnson_cook.hpp>
+#include <tamis/material/johnson_cook_failure.hpp>
 #include <tamis/material/linear_elastic.hpp>
 #include <tamis/material/mohr_coulomb.hpp>
 #include <tamis/material/neo_hookean.hpp>
