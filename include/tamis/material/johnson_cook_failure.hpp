@@ -22,6 +22,7 @@ struct no_failure {
     using on_particles = fields<>;
     /// Does it fail at all?
     static constexpr bool fails = false;
+    /// There is nothing to refuse.
     void check(std::string_view) const {}
 };
 
