@@ -2,8 +2,7 @@
 #include <tamis/material/flow.hpp>
 #include <tamis/material/strain.hpp>
 #include <tamis/motion/motion.hpp>
-#include <tamis/step/node_stages.hpp>
-#include <tamis/step/particle_kernel.hpp>
+#include <tamis/step/particle_stages.hpp>
 
 #include <concepts>
 #include <string>
