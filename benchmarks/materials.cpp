@@ -17,7 +17,21 @@ int main(int argc, char** argv) {
     law(usual, rubber, "");
     law("linear elastic", linear_elastic{.young = 1e6, .poisson = 0.3, .density = 1000}, usual);
     law("j2", j2{.young = 1e6, .poisson = 0.3, .density = 1000, .yield = 1e4}, usual);
+    law("johnson_cook",
+        johnson_cook{.young = 1e6, .poisson = 0.3, .density = 1000, .yield = 1e4, .hardening = 1e4, .exponent = 0.2},
+        usual);
     law("drucker_prager", drucker_prager{.young = 1e6, .poisson = 0.3, .density = 1000, .friction = 30}, usual);
+    law("mohr_coulomb", mohr_coulomb{.young = 1e6, .poisson = 0.3, .density = 1000, .friction = 30}, usual);
+    law("granular_flow",
+        granular_flow{.young = 1e6,
+                      .poisson = 0.3,
+                      .density = 1000,
+                      .static_friction = 0.4,
+                      .limit_friction = 0.7,
+                      .inertial_number = 0.3,
+                      .grain_diameter = 1e-3,
+                      .grain_density = 2500},
+        usual);
     const auto step = [&](const std::string& name, const auto& shape, const auto& transfer, const auto& motion,
                           const auto& order, const std::string& to) {
         run.add(name, to, [=] { return block_of<3, double>(rubber, n, shape, transfer, motion, order); });

@@ -66,7 +66,7 @@ class taylor_galerkin {
           particles_({}, lattice_),
           sweeps_(shape_, lattice_, run_) {
         if constexpr (requires { law.check(); }) law.check();
-        detail::add_particles<false>(particles_, shape_, run_, points, volume, real(particles_.law.density));
+        detail::add_particles(particles_, shape_, run_, points, volume, real(particles_.law.density));
         particles_.store().template arrange<lattice_type::N>();
         activate_nodes();
         weigh_nodes();

@@ -179,6 +179,13 @@ struct new_velocity : vector_field {
 
 }  // namespace field
 
+namespace detail {
+
+/// Do particles with these fields keep the weights of their first places, and how far they came since?
+template <class List> inline constexpr bool keeps_first_place = contains<List, field::displacement>;
+
+}  // namespace detail
+
 /// The papers' letters, for kernels: `i[m] += w * p[m];`.
 namespace symbols {
 

@@ -24,6 +24,15 @@ template <class S> struct position_reference {
     }
 };
 
+/// Where a slot's particles are, from the places in their cells that they have or first had.
+template <class S>
+TAMIS_INLINE typename S::vector place_now(const typename S::vector& local, const auto& slot, const frame<S>& at) {
+    typename S::vector x = position_reference<S>::place(local, at);
+    if constexpr (keeps_first_place<typename std::remove_cvref_t<decltype(slot)>::list>)
+        x += slot.template get<field::displacement>();
+    return x;
+}
+
 /// W particles as a policy sees them: the fields it declared, const where it only reads.
 template <class S, class Slot, class Shown> struct slot_row {
     Slot& all;
@@ -35,12 +44,8 @@ template <class S, class Slot, class Shown> struct slot_row {
         if constexpr (std::same_as<F, field::position>) {
             if constexpr (writes<Shown, F>)
                 return position_reference<S>{all.template get<F>(), at};
-            else {
-                typename S::vector now = position_reference<S>::place(all.template get<F>(), at);
-                if constexpr (stores<typename std::remove_cvref_t<Slot>::list, field::displacement>)
-                    now += all.template get<field::displacement>();
-                return now;
-            }
+            else
+                return place_now<S>(all.template get<F>(), all, at);
         } else if constexpr (std::is_base_of_v<symmetric_field, F>) {
             static_assert(!std::same_as<F, field::stress> || !writes<Shown, F>,
                           "tamis: the stress is written through the law's return value; declare "

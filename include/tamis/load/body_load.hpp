@@ -2,7 +2,6 @@
 #include <tamis/core/by_lane.hpp>
 #include <tamis/load/loads.hpp>
 #include <tamis/engine/near.hpp>
-#include <tamis/motion/motion.hpp>
 #include <tamis/shape/held_weights.hpp>
 
 #include <cmath>
@@ -13,19 +12,16 @@ namespace tamis::detail {
 /// Places of a slot's particles, from what the composition stores of them.
 template <class S, class Shape, class Slot>
 TAMIS_INLINE typename S::vector places(const Slot& slot, const frame<S>& at) {
-    typename S::vector x;
     if constexpr (stores<typename Slot::list, field::position>)
-        x = position_reference<S>::place(slot.template get<field::position>(), at);
+        return place_now<S>(slot.template get<field::position>(), slot, at);
     else {
         using weights = held_weights<Shape>;
         const auto& kept = slot.template get<weights>();
         typename S::vector r;
         for (int d = 0; d < S::dim; ++d)
             r[d] = weights::template place<S>(d, [&](int c) -> const typename S::scalar& { return kept[c]; });
-        x = position_reference<S>::place(r, at);
+        return place_now<S>(r, slot, at);
     }
-    if constexpr (keeps_first_place<typename Slot::list>) x += slot.template get<field::displacement>();
-    return x;
 }
 
 /// Side of the cube that a particle of the given volume is when its body is made.

@@ -26,7 +26,7 @@ template <class Law, class Shape, class List> inline constexpr bool needs_flow =
 template <class Law, class Shape, class List>
 requires requires { typename Law::carries; }
 inline constexpr bool needs_flow<Law, Shape, List> =
-    (contains<List, held_weights<Shape>> && !contains<List, field::displacement>) || requires {
+    (contains<List, held_weights<Shape>> && !keeps_first_place<List>) || requires {
     requires Law::carries_when_moving;
 };
 

@@ -2,9 +2,8 @@
 #include <tamis/core/names.hpp>
 #include <tamis/core/tensor.hpp>
 #include <tamis/material/grains.hpp>
-#include <tamis/material/principal.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -49,19 +48,9 @@ struct drucker_prager {
     double wave_speed(int) const { return detail::elastic_wave_speed(3, young, poisson, density); }
 
     /// Kirchhoff stress of a particle (Pa), out of the plane too: 3 x 3.
-    auto full_stress(auto&& p) const {
-        const auto now = detail::principal(p[be]);
-        return now.with(stress_of(detail::hencky_strain(now.values)));
-    }
+    auto full_stress(auto&& p) const { return elastic().stress_of(p[be]); }
     /// Stored elastic energy of a particle per reference volume (J/m^Dim); of its state alone.
-    auto energy(auto&& p, const auto&) const {
-        using T = std::remove_cvref_t<decltype(p[open])>;
-        const auto strain = detail::hencky_strain(detail::principal(p[be]).values);
-        const T sum = strain[0] + strain[1] + strain[2], third = sum / constant<T>(3);
-        T square = constant<T>(0);
-        for (const T& one : strain) square += (one - third) * (one - third);
-        return T(constant<T>(mu()) * square + constant<T>(kappa() / 2) * sum * sum);
-    }
+    auto energy(auto&& p, const auto&) const { return elastic().energy_of(p[be]); }
 
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         static_assert(Tensor::RowsAtCompileTime == 3,
@@ -69,44 +58,31 @@ struct drucker_prager {
                       "bool three_by_three = true;`");
         using std::sqrt;
         using T = typename Tensor::Scalar;
-        const T zero = constant<T>(0), one = constant<T>(1), two_mu = constant<T>(2 * mu());
-        const Tensor f = detail::isotropic<Tensor>(one) + dt * L;
-        const T safe =
-            select(detail::determinant(f) > zero, one, constant<T>(std::numeric_limits<double>::quiet_NaN()));
-        const auto trial = detail::principal(Tensor(safe * Tensor(f * p[be] * f.transpose())));
-        std::array<T, 3> strain = detail::hencky_strain(trial.values);
-
-        const T sum = strain[0] + strain[1] + strain[2], third = sum / constant<T>(3);
-        T square = zero;
-        for (T& one_of : strain) {
-            one_of -= third;
-            square += one_of * one_of;
-        }
-        const T shear = sqrt(square);  // |dev e|
+        const T zero = constant<T>(0), one = constant<T>(1);
+        const auto trial = detail::hencky_trial(Tensor(p[be]), L, T(dt));
+        auto e = detail::parts_of(trial.values);
+        const T shear = sqrt(e.square());
         // What has come apart closes first.
-        const T stretch = sum + p[open];
-        const double A = slope_of(friction), B = slope_of(dilatancy), k = offset(), bulk = kappa();
-        const T over = two_mu * shear + constant<T>(3 * A * bulk) * stretch - constant<T>(k);
-        const T flow = select(over > zero, over / constant<T>(2 * mu() + 9 * A * B * bulk), zero);
+        const T stretch = e.trace + p[open];
+        const double A = slope_of(friction), B = slope_of(dilatancy), k = offset(), G = elastic().mu,
+                     bulk = elastic().kappa;
+        const T over = constant<T>(2 * G) * shear + constant<T>(3 * A * bulk) * stretch - constant<T>(k);
+        const T flow = select(over > zero, over / constant<T>(2 * G + 9 * A * B * bulk), zero);
         const T slid = select(flow < shear, flow, shear);
         const T swollen = stretch - constant<T>(3 * B) * slid;
         // Beyond the tip, or the tension that is borne, the rest is opening; the cone is wider there, so the shear
         // stays.
         const T most = constant<T>(largest_stretch());
         const auto opens = swollen > most;
-        const T held = select(opens, most, swollen);
+        e.trace = select(opens, most, swollen);
         p[open] = select(opens, swollen - most, zero);
         const T left = shear - slid;
         p[alpha] += constant<T>(std::sqrt(2. / 3)) * slid;
 
         const T scale = left / select(shear > zero, shear, one);
-        std::array<T, 3> squares;
-        for (std::size_t a = 0; a < 3; ++a) {
-            strain[a] = scale * strain[a] + held / constant<T>(3);
-            squares[a] = detail::exponential(T(constant<T>(2) * strain[a]));
-        }
-        p[be] = trial.with(squares);
-        return trial.with(stress_of(strain));
+        for (T& one_of : e.dev) one_of = scale * one_of;
+        p[be] = trial.with(detail::squares_of(e));
+        return trial.with(elastic().stress(e));
     }
 
   private:
@@ -114,8 +90,7 @@ struct drucker_prager {
     static constexpr field::opening open{};
     static constexpr field::plastic_strain alpha{};
 
-    double mu() const { return detail::lame_mu(young, poisson); }
-    double kappa() const { return young / (3 * (1 - 2 * poisson)); }
+    detail::hencky_elastic elastic() const { return {young, poisson}; }
     static double slope_of(double degrees) {
         const double sine = std::sin(degrees * std::numbers::pi / 180);
         return std::sqrt(2. / 3) * 2 * sine / (3 - sine);
@@ -127,14 +102,7 @@ struct drucker_prager {
     /// tr e at the cone's tip or the largest tension; finite, that it can be computed with.
     double largest_stretch() const {
         const double A = slope_of(friction), tip = A > 0 ? offset() / (3 * A) : std::numeric_limits<double>::infinity();
-        return std::min(std::min(tip, tension) / kappa(), 1e3);
-    }
-    template <class T> std::array<T, 3> stress_of(const std::array<T, 3>& strain) const {
-        const T sum = strain[0] + strain[1] + strain[2];
-        const T round = constant<T>(kappa() - 2 * mu() / 3) * sum;
-        std::array<T, 3> stress;
-        for (std::size_t a = 0; a < 3; ++a) stress[a] = constant<T>(2 * mu()) * strain[a] + round;
-        return stress;
+        return std::min(std::min(tip, tension) / elastic().kappa, 1e3);
     }
 };
 

@@ -1,12 +1,9 @@
 #pragma once
 #include <tamis/core/error.hpp>
-#include <tamis/core/lane_functions.hpp>
 #include <tamis/core/names.hpp>
-#include <tamis/material/elastic_constants.hpp>
+#include <tamis/material/hencky.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <string_view>
 
 namespace tamis {
@@ -43,12 +40,6 @@ inline void check_elastic_cauchy_green(double trace) {
         throw error(sentence("its elastic Cauchy-Green tensor has the trace ", trace,
                              "; give it a positive tensor (the identity where nothing is deformed), and see that "
                              "steps are short enough to turn no particle inside out"));
-}
-/// Principal values of Hencky's strain, 1/2 ln b, from those of b.
-template <class T> std::array<T, 3> hencky_strain(const std::array<T, 3>& squares) {
-    std::array<T, 3> strain;
-    for (std::size_t a = 0; a < 3; ++a) strain[a] = constant<T>(0.5) * logarithm(squares[a]);
-    return strain;
 }
 
 }  // namespace detail

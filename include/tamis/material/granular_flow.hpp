@@ -1,10 +1,11 @@
 #pragma once
-#include <tamis/material/drucker_prager.hpp>
+#include <tamis/core/names.hpp>
+#include <tamis/core/tensor.hpp>
+#include <tamis/material/grains.hpp>
 
-#include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
+#include <type_traits>
 
 namespace tamis {
 
@@ -56,16 +57,19 @@ struct granular_flow {
                                          "; give one not below that of the packing, ", density));
     }
     /// Nothing is deformed at first: as dense as the packing.
-    void start(auto p) const { elastic().start(p); }
+    void start(auto p) const {
+        using real = std::remove_cvref_t<decltype(p[open])>;
+        p[be] = detail::isotropic<matrix<3, real>>(real(1));
+    }
     /// A particle whose elastic strain is none is refused.
-    void check(auto p) const { elastic().check(p); }
+    void check(auto p) const { detail::check_elastic_cauchy_green(detail::to_double(p[be].trace())); }
     /// Speed of longitudinal waves where nothing is deformed (m/s); sideways the material is held, in 1D too.
-    double wave_speed(int dim) const { return elastic().wave_speed(dim); }
+    double wave_speed(int) const { return detail::elastic_wave_speed(3, young, poisson, density); }
 
     /// Kirchhoff stress of a particle (Pa), out of the plane too: 3 x 3.
-    auto full_stress(auto&& p) const { return elastic().full_stress(p); }
+    auto full_stress(auto&& p) const { return elastic().stress_of(p[be]); }
     /// Stored elastic energy of a particle per reference volume (J/m^Dim); of its state alone.
-    auto energy(auto&& p, const auto& other) const { return elastic().energy(p, other); }
+    auto energy(auto&& p, const auto&) const { return elastic().energy_of(p[be]); }
 
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         static_assert(Tensor::RowsAtCompileTime == 3,
@@ -73,39 +77,26 @@ struct granular_flow {
                       "bool three_by_three = true;`");
         using std::sqrt;
         using T = typename Tensor::Scalar;
-        const T zero = constant<T>(0), one = constant<T>(1), third = constant<T>(1. / 3);
-        const Tensor f = detail::isotropic<Tensor>(one) + dt * L;
-        const T safe =
-            select(detail::determinant(f) > zero, one, constant<T>(std::numeric_limits<double>::quiet_NaN()));
-        const auto trial = detail::principal(Tensor(safe * Tensor(f * p[be] * f.transpose())));
-        std::array<T, 3> strain = detail::hencky_strain(trial.values);
-        const T sum = strain[0] + strain[1] + strain[2];
-        T square = zero;
-        for (T& one_of : strain) {
-            one_of -= sum * third;
-            square += one_of * one_of;
-        }
-        const T shear = sqrt(square);  // |dev e|
+        const T zero = constant<T>(0), one = constant<T>(1);
+        const auto trial = detail::hencky_trial(Tensor(p[be]), L, T(dt));
+        auto e = detail::parts_of(trial.values);
+        const T shear = sqrt(e.square());
 
         // The logarithm of J; what has come apart closes before it bears pressure. Flow keeps the volume, so this is
         // the pressure after it too.
-        const T stretch = sum + p[open];
+        const T stretch = e.trace + p[open];
         const auto apart = stretch > zero;
         p[open] = select(apart, stretch, zero);
-        const T held = select(apart, zero, stretch), P = constant<T>(-bulk_modulus()) * held;
-        const T left = shear_left(shear, P, T(P * detail::exponential(T(zero - held))), T(dt));
+        e.trace = select(apart, zero, stretch);
+        const T P = constant<T>(-elastic().kappa) * e.trace;
+        const T left = shear_left(shear, P, T(P * detail::exponential(T(zero - e.trace))), T(dt));
         const T slid = select(left < shear, shear - left, zero);
         p[alpha] += constant<T>(std::sqrt(2. / 3)) * slid;
 
         const T scale = left / select(shear > zero, shear, one);
-        std::array<T, 3> squares, tau;
-        for (std::size_t a = 0; a < 3; ++a) {
-            const T dev = scale * strain[a];
-            squares[a] = detail::exponential(T(constant<T>(2) * (dev + held * third)));
-            tau[a] = constant<T>(2 * shear_modulus()) * dev - P;
-        }
-        p[be] = trial.with(squares);
-        return trial.with(tau);
+        for (T& one_of : e.dev) one_of = scale * one_of;
+        p[be] = trial.with(detail::squares_of(e));
+        return trial.with(elastic().stress(e));
     }
 
   private:
@@ -113,10 +104,7 @@ struct granular_flow {
     static constexpr field::opening open{};
     static constexpr field::plastic_strain alpha{};
 
-    double shear_modulus() const { return detail::lame_mu(young, poisson); }
-    double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }
-    /// What bears the stress that is left; it flows nowhere, so its friction does not matter.
-    drucker_prager elastic() const { return {.young = young, .poisson = poisson, .density = density, .friction = 45}; }
+    detail::hencky_elastic elastic() const { return {young, poisson}; }
     /// |dev e| after a step's flow, from that before it, the pressures P and p, and the step's length. In this measure
     /// friction bears s = mu_s P/(sqrt(2) G), the fastest flow D = (mu_2 - mu_s) P/(sqrt(2) G) more, and
     /// a = I0 dt sqrt(p/rho_s)/(sqrt(2) d) flows where I = I0. Of the excess o over s, y is left where the flow, o - y,
@@ -129,7 +117,7 @@ struct granular_flow {
     template <class T> TAMIS_INLINE T shear_left(const T& shear, const T& P, const T& p, const T& dt) const {
         using std::sqrt;
         const T two = constant<T>(2);
-        const double strain_of_stress = 1 / (std::sqrt(2.) * shear_modulus());
+        const double strain_of_stress = 1 / (std::sqrt(2.) * elastic().mu);
         const T s = constant<T>(static_friction * strain_of_stress) * P;
         const T D = constant<T>((limit_friction - static_friction) * strain_of_stress) * P;
         const T a = constant<T>(inertial_number / (grain_diameter * std::sqrt(2 * grain_density))) * dt * sqrt(p);

@@ -2,6 +2,7 @@
 #include <tamis/core/power.hpp>
 #include <tamis/core/tensor.hpp>
 #include <tamis/material/neo_hookean.hpp>
+#include <tamis/material/unimodular.hpp>
 
 #include <cmath>
 #include <limits>
@@ -43,17 +44,7 @@ struct j2 {
         p[J] = real(1);
     }
     /// A particle that is turned inside out, or is not finite, is refused.
-    void check(auto p) const {
-        const double ratio = detail::to_double(p[J]), trace = detail::to_double(p[be].trace());
-        if (!(ratio > 0 && std::isfinite(ratio)))
-            throw error(detail::sentence("its volume ratio is ", ratio,
-                                         "; give it a positive and finite one (1 where nothing is deformed), and see "
-                                         "that steps are short enough to keep it so"));
-        if (!(trace > 0 && std::isfinite(trace)))
-            throw error(detail::sentence("its elastic Cauchy-Green tensor has the trace ", trace,
-                                         "; give it a tensor of determinant 1 (the identity where nothing is "
-                                         "deformed)"));
-    }
+    void check(auto p) const { detail::check_unimodular(detail::to_double(p[J]), detail::to_double(p[be].trace())); }
     /// Speed of longitudinal waves where nothing is deformed (m/s); sideways the material is held, in 1D too.
     double wave_speed(int) const { return detail::elastic_wave_speed(3, young, poisson, density); }
 
@@ -89,7 +80,7 @@ struct j2 {
         p[alpha] += constant<T>(std::sqrt(2. / 3)) * dgamma;
         const T left = one - constant<T>(2) * mu_bar * dgamma / select(yields, s_trial, one);
         const Tensor dev = left * dev_trial;
-        p[be] = dev + detail::isotropic<Tensor>(select(yields, third_of_trace(dev, I_trial), I_trial));
+        p[be] = dev + detail::isotropic<Tensor>(select(yields, detail::third_of_trace<4>(dev, I_trial), I_trial));
         return stress_at(Tensor(p[be]), T(p[J]));
     }
 
@@ -107,16 +98,6 @@ struct j2 {
         const T pressure = constant<T>(kappa()) * volumetric::quadratic::stress(safe);
         const T mean = b.trace() / constant<T>(3);
         return full(constant<T>(mu()) * (b - detail::isotropic<full>(mean)) + detail::isotropic<full>(pressure));
-    }
-    /// The I for which det(dev + I 1) = I^3 - |dev|^2/2 I + det dev = 1, by Newton's method from the trial's I on. The
-    /// cubic is convex and rises from its largest root on, and the trial, whose dev has the same axes and is longer, is
-    /// not below that root: each round comes nearer from the same side. Four leave no more than rounding of a trial
-    /// stretched by up to 1.3; what they may leave else, the next step that yields takes away.
-    template <class Tensor, class T> static TAMIS_INLINE T third_of_trace(const Tensor& dev, T I) {
-        const T half = constant<T>(0.5) * dev.cwiseProduct(dev).sum(), rest = detail::determinant(dev) - constant<T>(1);
-        detail::unroll<4>(
-            [&](auto) TAMIS_INLINE_LAMBDA { I = I - (I * (I * I - half) + rest) / (constant<T>(3) * I * I - half); });
-        return I;
     }
 };
 

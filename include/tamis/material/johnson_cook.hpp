@@ -4,6 +4,7 @@
 #include <tamis/core/tensor.hpp>
 #include <tamis/material/johnson_cook_failure.hpp>
 #include <tamis/material/neo_hookean.hpp>
+#include <tamis/material/unimodular.hpp>
 
 #include <cmath>
 #include <limits>
@@ -90,20 +91,12 @@ template <class Failure> struct johnson_cook_of {
         using real = std::remove_cvref_t<decltype(p[J])>;
         p[be] = detail::isotropic<matrix<3, real>>(real(1));
         p[J] = real(1);
-        p[temperature] = real(reference_temperature);
+        p[temperature] = constant<real>(reference_temperature);
     }
     /// A particle that is turned inside out, or is not finite, is refused.
     void check(auto p) const {
-        const double ratio = detail::to_double(p[J]), trace = detail::to_double(p[be].trace()),
-                     eps = detail::to_double(p[alpha]), warm = detail::to_double(p[temperature]);
-        if (!(ratio > 0 && std::isfinite(ratio)))
-            throw error(detail::sentence("its volume ratio is ", ratio,
-                                         "; give it a positive and finite one (1 where nothing is deformed), and see "
-                                         "that steps are short enough to keep it so"));
-        if (!(trace > 0 && std::isfinite(trace)))
-            throw error(detail::sentence("its elastic Cauchy-Green tensor has the trace ", trace,
-                                         "; give it a tensor of determinant 1 (the identity where nothing is "
-                                         "deformed)"));
+        detail::check_unimodular(detail::to_double(p[J]), detail::to_double(p[be].trace()));
+        const double eps = detail::to_double(p[alpha]), warm = detail::to_double(p[temperature]);
         if (!(eps >= 0 && std::isfinite(eps)))
             throw error(detail::sentence("its plastic strain is ", eps, "; give it 0 or a positive and finite one"));
         if (!std::isfinite(warm)) throw error(detail::sentence("its temperature is ", warm, "; give it a finite one"));
@@ -162,7 +155,7 @@ template <class Failure> struct johnson_cook_of {
         }
         const T left = select(bears_shear, left_mises / select(mises > zero, mises, one), zero * flow);
         const Tensor dev = left * dev_trial;
-        p[be] = dev + detail::isotropic<Tensor>(select(flow > zero, third_of_trace(dev, I_trial), I_trial));
+        p[be] = dev + detail::isotropic<Tensor>(select(flow > zero, detail::third_of_trace<6>(dev, I_trial), I_trial));
         return full_stress(p);
     }
 
@@ -235,13 +228,6 @@ template <class Failure> struct johnson_cook_of {
             moves = moves && !(last <= near);
         }
         return select(moves, constant<T>(std::numeric_limits<double>::quiet_NaN()), x);
-    }
-    /// As of `j2`: the I for which det(dev + I 1) = 1, by Newton's method from the trial's I, which is not below it.
-    template <class Tensor, class T> static TAMIS_INLINE T third_of_trace(const Tensor& dev, T I) {
-        const T half = constant<T>(0.5) * dev.cwiseProduct(dev).sum(), rest = detail::determinant(dev) - constant<T>(1);
-        detail::unroll<6>(
-            [&](auto) TAMIS_INLINE_LAMBDA { I = I - (I * (I * I - half) + rest) / (constant<T>(3) * I * I - half); });
-        return I;
     }
     static void positive(double value, std::string_view what) {
         if (!(value > 0 && std::isfinite(value)))

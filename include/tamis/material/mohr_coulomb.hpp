@@ -2,7 +2,6 @@
 #include <tamis/core/names.hpp>
 #include <tamis/core/tensor.hpp>
 #include <tamis/material/grains.hpp>
-#include <tamis/material/principal.hpp>
 
 #include <algorithm>
 #include <array>
@@ -54,17 +53,9 @@ struct mohr_coulomb {
     double wave_speed(int) const { return detail::elastic_wave_speed(3, young, poisson, density); }
 
     /// Kirchhoff stress of a particle (Pa), out of the plane too: 3 x 3.
-    auto full_stress(auto&& p) const {
-        const auto now = detail::principal(p[be]);
-        const auto [dev, sum] = parts_of(detail::hencky_strain(now.values));
-        return now.with(stress_of(dev, sum));
-    }
+    auto full_stress(auto&& p) const { return elastic().stress_of(p[be]); }
     /// Stored elastic energy of a particle per reference volume (J/m^Dim); of its state alone.
-    auto energy(auto&& p, const auto&) const {
-        using T = std::remove_cvref_t<decltype(p[open])>;
-        const auto [dev, sum] = parts_of(detail::hencky_strain(detail::principal(p[be]).values));
-        return T(constant<T>(mu()) * square_of(dev) + constant<T>(kappa() / 2) * sum * sum);
-    }
+    auto energy(auto&& p, const auto&) const { return elastic().energy_of(p[be]); }
 
     template <class Tensor> Tensor stress(auto p, const Tensor& L, auto dt) const {
         static_assert(Tensor::RowsAtCompileTime == 3,
@@ -72,37 +63,32 @@ struct mohr_coulomb {
                       "three_by_three = true;`");
         using std::sqrt;
         using T = typename Tensor::Scalar;
-        const T zero = constant<T>(0), one = constant<T>(1);
-        const Tensor f = detail::isotropic<Tensor>(one) + dt * L;
-        const T safe =
-            select(detail::determinant(f) > zero, one, constant<T>(std::numeric_limits<double>::quiet_NaN()));
-        auto trial = detail::principal(Tensor(safe * Tensor(f * p[be] * f.transpose())));
-        trial.values = detail::hencky_strain(trial.values);
+        const T zero = constant<T>(0);
+        auto trial = detail::hencky_trial(Tensor(p[be]), L, T(dt));
         in_order<0, 1>(trial);
         in_order<1, 2>(trial);
         in_order<0, 1>(trial);
 
-        const auto [dev, sum] = parts_of(trial.values);
+        const detail::strain_parts<T> e = detail::parts_of(trial.values);
         // What has come apart closes first.
-        const T stretch = sum + p[open];
+        const T stretch = e.trace + p[open];
         const double limit = 2 * cohesion * std::cos(friction * degree), most = largest_stretch();
-        const auto inside = slide(dev, stretch, kappa(), limit);
+        const auto inside = slide(e.dev, stretch, elastic().kappa, limit);
         // The pyramid's section under the largest mean stress.
-        const double section = limit - 2 * sine(friction) * kappa() * most;
-        const auto bounded = slide(dev, stretch, 0, section);
+        const double section = limit - 2 * sine(friction) * elastic().kappa * most;
+        const auto bounded = slide(e.dev, stretch, 0, section);
 
-        const auto opens = inside.stretch > constant<T>(most);
-        p[open] = select(opens, bounded.stretch - constant<T>(most), zero);
-        const T held = select(opens, constant<T>(most), inside.stretch);
-        std::array<T, 3> left, slid, squares;
+        const auto opens = inside.trace > constant<T>(most);
+        p[open] = select(opens, bounded.trace - constant<T>(most), zero);
+        detail::strain_parts<T> left, slid;
+        left.trace = select(opens, constant<T>(most), inside.trace);
         for (std::size_t a = 0; a < 3; ++a) {
-            left[a] = select(opens, bounded.dev[a], inside.dev[a]);
-            slid[a] = dev[a] - left[a];
-            squares[a] = detail::exponential(T(constant<T>(2) * (left[a] + held / constant<T>(3))));
+            left.dev[a] = select(opens, bounded.dev[a], inside.dev[a]);
+            slid.dev[a] = e.dev[a] - left.dev[a];
         }
-        p[alpha] += constant<T>(std::sqrt(2. / 3)) * sqrt(square_of(slid));
-        p[be] = trial.with(squares);
-        return trial.with(stress_of(left, held));
+        p[alpha] += constant<T>(std::sqrt(2. / 3)) * sqrt(slid.square());
+        p[be] = trial.with(detail::squares_of(left));
+        return trial.with(elastic().stress(left));
     }
 
   private:
@@ -111,19 +97,12 @@ struct mohr_coulomb {
     static constexpr field::plastic_strain alpha{};
     static constexpr double degree = std::numbers::pi / 180;
 
-    /// A strain in principal axes: dev e and tr e.
-    template <class T> struct parts {
-        std::array<T, 3> dev;
-        T stretch;
-    };
-
-    double mu() const { return detail::lame_mu(young, poisson); }
-    double kappa() const { return young / (3 * (1 - 2 * poisson)); }
+    detail::hencky_elastic elastic() const { return {young, poisson}; }
     static double sine(double degrees) { return std::sin(degrees * degree); }
     /// tr e at the apex or the largest tension; finite, that it can be computed with.
     double largest_stretch() const {
         const double apex = friction > 0 ? cohesion / std::tan(friction * degree) : tension;
-        return std::min(std::min(apex, tension) / kappa(), 1e3);
+        return std::min(std::min(apex, tension) / elastic().kappa, 1e3);
     }
 
     /// A trial strain, its parts in falling order, led back to 2 mu a.dev e + 2 sin(friction) bulk tr e <= limit for
@@ -132,9 +111,10 @@ struct mohr_coulomb {
     /// passed each other. There the flow has two planes' directions, and their sum is what the component that stays
     /// alone, the smallest or the largest, tells. Beyond the apex both orders change, and either edge lies beyond it
     /// too.
-    template <class T> parts<T> slide(const std::array<T, 3>& dev, const T& stretch, double bulk, double limit) const {
+    template <class T>
+    detail::strain_parts<T> slide(const std::array<T, 3>& dev, const T& stretch, double bulk, double limit) const {
         const T zero = constant<T>(0);
-        const double A = sine(friction), B = sine(dilatancy), G = mu(), swells = 4 * bulk * A * B;
+        const double A = sine(friction), B = sine(dilatancy), G = elastic().mu, swells = 4 * bulk * A * B;
         const T beyond = constant<T>(2 * A * bulk) * stretch - constant<T>(limit);
 
         const T over = constant<T>(2 * G * (1 + A)) * dev[0] - constant<T>(2 * G * (1 - A)) * dev[2] + beyond;
@@ -171,18 +151,6 @@ struct mohr_coulomb {
         };
         exchange(form.values[P], form.values[Q]);
         for (int i = 0; i < 3; ++i) exchange(form.axes(i, P), form.axes(i, Q));
-    }
-    template <class T> static parts<T> parts_of(const std::array<T, 3>& strain) {
-        const T sum = strain[0] + strain[1] + strain[2], third = sum / constant<T>(3);
-        return {{strain[0] - third, strain[1] - third, strain[2] - third}, sum};
-    }
-    template <class T> static T square_of(const std::array<T, 3>& dev) {
-        return dev[0] * dev[0] + dev[1] * dev[1] + dev[2] * dev[2];
-    }
-    template <class T> std::array<T, 3> stress_of(const std::array<T, 3>& dev, const T& sum) const {
-        std::array<T, 3> stress;
-        for (std::size_t a = 0; a < 3; ++a) stress[a] = constant<T>(2 * mu()) * dev[a] + constant<T>(kappa()) * sum;
-        return stress;
     }
 };
 

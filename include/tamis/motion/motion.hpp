@@ -31,9 +31,7 @@ struct total_lagrangian {
 namespace detail {
 
 /// Do particles keep the weights of their first places while they move?
-template <class Motion> inline constexpr bool is_total_lagrangian = requires { typename Motion::on_particles; };
-/// The same, told from what particles store.
-template <class List> inline constexpr bool keeps_first_place = contains<List, field::displacement>;
+template <class Motion> inline constexpr bool is_total_lagrangian = keeps_first_place<on_particles_t<Motion>>;
 
 }  // namespace detail
 }  // namespace tamis

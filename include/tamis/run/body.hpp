@@ -1,6 +1,5 @@
 #pragma once
 #include <tamis/material/carried.hpp>
-#include <tamis/motion/motion.hpp>
 #include <tamis/run/particle.hpp>
 
 #include <cstddef>

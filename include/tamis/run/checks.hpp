@@ -2,7 +2,6 @@
 #include <tamis/core/each_of.hpp>
 #include <tamis/core/error.hpp>
 #include <tamis/core/tensor.hpp>
-#include <tamis/motion/motion.hpp>
 #include <tamis/run/body.hpp>
 
 #include <array>

@@ -73,10 +73,10 @@ template <class real> void check_ids(std::uint64_t count) {
 }
 
 /// Puts a particle at a point of the grid, in the slot and lane of its cell.
-template <bool Moves, class Body, class Shape> void add_particle(Body& body, const Shape& functions, std::size_t number,
-                                                                 const point<Body::dim, typename Body::real>& where,
-                                                                 const typename Body::real& volume,
-                                                                 const typename Body::real& density) {
+template <class Body, class Shape> void add_particle(Body& body, const Shape& functions, std::size_t number,
+                                                     const point<Body::dim, typename Body::real>& where,
+                                                     const typename Body::real& volume,
+                                                     const typename Body::real& density) {
     using real = typename Body::real;
     using slot = typename Body::store_type::slot;
     constexpr int D = Body::dim, W = Body::space_type::width;
@@ -133,7 +133,7 @@ template <class real> class for_points {
 };
 
 /// Fills a new body: a particle of the given volume and density at each point.
-template <bool Moves, class Body, class Shape, class Execution>
+template <class Body, class Shape, class Execution>
 void add_particles(Body& body, const Shape& functions, const Execution& run,
                    const std::vector<point<Body::dim, typename Body::real>>& points,
                    const for_points<typename Body::real>& volume, const for_points<typename Body::real>& density) {
@@ -150,7 +150,7 @@ void add_particles(Body& body, const Shape& functions, const Execution& run,
     body.store().prepare(body.lattice(), each_cell, run);
     std::size_t number = 0;
     for (const auto& where : points) {
-        add_particle<Moves>(body, functions, number, where, volume.at(number), density.at(number));
+        add_particle(body, functions, number, where, volume.at(number), density.at(number));
         ++number;
     }
     if constexpr (requires(typename Body::template iterator<false> p) { body.law.start(*p); })
@@ -158,7 +158,8 @@ void add_particles(Body& body, const Shape& functions, const Execution& run,
 }
 
 /// A new body. Without densities it has its law's.
-template <class Body, bool Moves, class L, class Lattice, class Shape, class Execution, class Points, class... Density>
+template <class Body, class Motion, class L, class Lattice, class Shape, class Execution, class Points,
+          class... Density>
 auto new_body(const L& law, const Lattice& lattice, const Shape& functions, const Execution& run, const Points& points,
               const for_points<typename Body::real>& volume, const Density&... density) {
     // Here, not in check_law: clang names the user's line only for functions whose return type it must deduce.
@@ -166,12 +167,15 @@ auto new_body(const L& law, const Lattice& lattice, const Shape& functions, cons
     static_assert(HasWaveSpeed<L>,
                   "tamis: the law has no wave speed, from which time steps are chosen; give it a "
                   "member function `double wave_speed() const`");
+    static_assert(is_total_lagrangian<Motion> || !keeps_first_place<typename Body::field_list>,
+                  "tamis: field::displacement is kept by total_lagrangian{} only; keep particles' first places in a "
+                  "field of your own, p[home] = p[symbols::x]");
     Body b(law, lattice);
     if constexpr (sizeof...(Density) > 0)
-        add_particles<Moves>(b, functions, run, points, volume, density...);
+        add_particles(b, functions, run, points, volume, density...);
     else {
         check_law(law);
-        add_particles<Moves>(b, functions, run, points, volume, for_points<typename Body::real>(law.density));
+        add_particles(b, functions, run, points, volume, for_points<typename Body::real>(law.density));
     }
     return b;
 }

@@ -200,8 +200,8 @@ template <class Grid, class... Policies> class solver : public warning_channel {
 
     template <class... Extra, class L, class... Numbers>
     auto new_body(const L& law, const std::vector<point<dim, real>>& points, const Numbers&... numbers) const {
-        auto b = detail::new_body<body_for<L, Extra...>, C::moves>(law, work_.lattice, by_.shape, by_.run, points,
-                                                                   numbers...);
+        auto b = detail::new_body<body_for<L, Extra...>, typename C::motion>(law, work_.lattice, by_.shape, by_.run,
+                                                                             points, numbers...);
         detail::load_body(b, by_.load);
         return b;
     }

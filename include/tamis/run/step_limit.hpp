@@ -42,16 +42,12 @@ template <class Body> double least_stretch_of(const Body& body) {
     constexpr int D = Body::dim;
     double least = 1;  // principal value of F^T F
     for (const auto p : body) {
+        const matrix<D, typename Body::real> F = p[symbols::F], C = F.transpose() * F;
         matrix<3, double> square = matrix<3, double>::Identity();
-        const auto F = p[symbols::F];
-        for (int i = 0; i < D; ++i)
-            for (int j = 0; j < D; ++j) {
-                square(i, j) = 0;
-                for (int k = 0; k < D; ++k) square(i, j) += to_double(F(k, i)) * to_double(F(k, j));
-            }
+        for (int c = 0; c < D * D; ++c) square(c % D, c / D) = to_double(C(c % D, c / D));
         // No principal value is below the mean by more than this: few particles need theirs.
-        const double mean = square.trace() / 3, apart = (square - mean * matrix<3, double>::Identity()).squaredNorm();
-        if (mean - std::sqrt(2. / 3 * apart) > 0.95 * least) continue;
+        const double mean = square.trace() / 3, apart = (square - isotropic<matrix<3, double>>(mean)).norm();
+        if (mean - std::sqrt(2. / 3) * apart > 0.95 * least) continue;
         for (const double value : principal(square).values) least = std::min(least, std::max(value, 0.));
     }
     return std::sqrt(least);

@@ -158,7 +158,7 @@ template <class Update, class Motion, class Shape> struct g2p : over_particles {
     static constexpr bool looks_for_mass = gathers::by_slopes;
     using on_nodes = typename wanted::template on_nodes<Moves>;
     using on_particles = typename concatenate<on_particles_t<Update>, fields<field::velocity>,
-                                              fields_if<Moves, const field::velocity, way>,
+                                              fields_if<Moves, const field::velocity, way>, fields_if<total, const way>,
                                               fields_if<wanted::affine, field::affine_velocity>>::type;
     template <class S> struct part : updates_particles<gathers, merge<on_particles_t<Update>>> {
         const Update& update_;
@@ -195,6 +195,7 @@ template <class Update, class Motion, class Shape> struct g2p : over_particles {
         std::string all = wanted::text();
         const auto u = all.find("; U"), after = u == std::string::npos ? u : all.find(';', u + 1);
         if (!Moves && u != std::string::npos) all.erase(u, after == std::string::npos ? after : after - u);
+        if (total && u != std::string::npos) all.replace(u, 5, "; u +=");
         return all;
     }
 };

@@ -2,7 +2,6 @@
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <vector>
 
 /// J2 plasticity of one particle in plain numbers, line by line as in Simo & Hughes, *Computational Inelasticity*, Box
 /// 9.1, but that the trace in its last line is made such that det b = 1.
@@ -43,54 +42,3 @@ struct j2_reference {
         dissipated = mu / 2 * (trial.trace() - b.trace());
     }
 };
-
-/// Motions in steps: each f is the gradient from the last place to the next.
-namespace motion_of {
-
-using tensor = Eigen::Matrix3d;
-using steps = std::vector<tensor>;
-
-inline tensor along(int d, int e, double size) {
-    tensor f = tensor::Identity();
-    f(d, e) += size;
-    return f;
-}
-inline steps uniaxial(double size, int count) { return steps(static_cast<std::size_t>(count), along(0, 0, size)); }
-inline steps shear(double size, int count) { return steps(static_cast<std::size_t>(count), along(0, 1, size)); }
-/// Stretched, back beyond the start, and stretched again, sheared a little all the while.
-inline steps there_and_back(double size, int count) {
-    steps all;
-    for (const double sign : {1., -2., 1.5})
-        for (int n = 0; n < std::abs(sign) * count; ++n) {
-            tensor f = along(0, 0, sign < 0 ? -size : size);
-            f(1, 0) = size / 3;
-            f(1, 1) -= size / 4;
-            all.push_back(f);
-        }
-    return all;
-}
-/// All components at once, in 3D.
-inline steps twisted(double size, int count) {
-    steps all;
-    for (int n = 0; n < count; ++n) {
-        tensor f = tensor::Identity();
-        for (int c = 0; c < 9; ++c) f.data()[c] += size * std::sin(1 + 2.3 * c + 0.2 * n);
-        all.push_back(f);
-    }
-    return all;
-}
-/// A turn about an axis that is none of the grid's.
-inline tensor turn(double angle) {
-    return Eigen::AngleAxisd(angle, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
-}
-/// The same motion watched by someone who turns by `angle` in a step.
-inline steps turned(steps all, double angle) {
-    double now = 0;
-    for (auto& f : all) {
-        f = turn(now + angle) * f * turn(now).transpose();
-        now += angle;
-    }
-    return all;
-}
-
-}  // namespace motion_of

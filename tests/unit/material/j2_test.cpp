@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "unit/complaint.hpp"
 #include "unit/material/j2_reference.hpp"
+#include "unit/material/moved.hpp"
 
 using namespace tamis;
 using motion_of::steps;
@@ -23,95 +24,29 @@ constexpr j2 steel{.young = young, .poisson = poisson, .density = 1, .yield = 2,
 
 j2_reference reference_of(const j2& law) { return {mu, kappa, law.yield, law.hardening}; }
 
-/// What a particle has after each step.
-struct state {
-    tensor3 b, full;
-    Eigen::MatrixXd tau;
-    double J, alpha, energy;
-};
-
-/// W particles in dimension D, lane l moved by the steps that motion(l) gives, as strain_slot does it; states of a
-/// lane.
-template <int D, class T> class particles {
-  public:
-    using S = space<D, T>;
-    using real = typename S::real;
-    static constexpr int W = S::width;
-    template <class Law, class Motion> particles(const Law& law, const Motion& motion) {
-        using list = merge<fields<field::stress>, on_particles_t<Law>>;
-        using row = detail::slot_row<S, values<S, list>,
-                                     fields<const field::stress, const field::elastic_cauchy_green,
-                                            const field::volume_ratio, const field::plastic_strain>>;
-        values<S, list> slot;
-        slot.set_zero();
-        slot.template get<field::volume_ratio>() = T(real(1));
-        for (int d = 0; d < 3; ++d) slot.template get<field::elastic_cauchy_green>()[d] = T(real(1));
-        const detail::frame<S> at{real(1), real(1), {}};
-        std::vector<steps> each;
-        for (int l = 0; l < W; ++l) each.push_back(motion(l));
-        for (std::size_t n = 0; n < each[0].size(); ++n) {
-            typename S::tensor L;
-            for (int c = 0; c < D * D; ++c) {
-                real lanes_of[W];
-                for (int l = 0; l < W; ++l) {
-                    const tensor3 rate = (each[static_cast<std::size_t>(l)][n] - tensor3::Identity()) / dt;
-                    lanes_of[l] = static_cast<real>(rate(c % D, c / D));
-                }
-                L.data()[c] = lane<T>::load(lanes_of);
-            }
-            detail::strain_slot<S>(law, slot, (1u << W) - 1u, at, L, T(real(dt)));
-            const row p{slot, at};
-            for (int l = 0; l < W; ++l)
-                states_.push_back({in(p[be], l), in(law.full_stress(p), l), in(p[symbols::sigma], l), in(p[J], l),
-                                   in(p[alpha], l), in(law.energy(p, 0), l)});
-        }
-    }
-    const state& of(std::size_t step, int l = 0) const { return states_[step * W + static_cast<std::size_t>(l)]; }
-    const state& last() const { return states_[states_.size() - W]; }
-    std::size_t count() const { return states_.size() / W; }
-
-  private:
-    std::vector<state> states_;
-    static double in(const T& a, int l) {
-        real out[W];
-        lane<T>::store(out, a);
-        return static_cast<double>(out[l]);
-    }
-    template <int R> static Eigen::Matrix<double, R, R> in(const Eigen::Matrix<T, R, R, Eigen::DontAlign>& a, int l) {
-        Eigen::Matrix<double, R, R> out;
-        for (int c = 0; c < R * R; ++c) out.data()[c] = in(a.data()[c], l);
-        return out;
-    }
-};
-template <int D, class T = double> particles<D, T> moved(const steps& motion, const j2& law = steel) {
-    return {law, [&](int) { return motion; }};
+template <int D, class T = double> std::vector<moved_state> moved(const steps& motion, const j2& law = steel) {
+    return ::moved<D, T>(law, dt, [&](int) { return motion; });
 }
 
 /// Every step of every lane is the reference's, to 1e-10.
 template <int D, class T, class Motion> void is_the_reference(const Motion& motion, const j2& law = steel) {
-    const particles<D, T> ours(law, motion);
-    double most_alpha = 0;
-    for (int l = 0; l < particles<D, T>::W; ++l) {
-        auto reference = reference_of(law);
-        double worst = 0;
-        const auto compare = [&](double distance, double of) { worst = std::max(worst, distance / of); };
-        const steps all = motion(l);
-        for (std::size_t n = 0; n < all.size(); ++n) {
-            tensor3 f = tensor3::Identity();
-            f.topLeftCorner(D, D) = all[n].topLeftCorner(D, D);
-            reference.step(f);
-            const state& is = ours.of(n, l);
+    double worst = 0, most_alpha = 0;
+    const auto compare = [&](double distance, double of) { worst = std::max(worst, distance / of); };
+    beside<D, T>(
+        ::moved<D, T>(law, dt, motion), motion, reference_of(law),
+        [&](const moved_state& is, const j2_reference& reference) {
             const double size = std::max(reference.tau.norm(), law.yield / 10);  // on its way back it is nearly 0
             compare((is.tau - reference.tau.topLeftCorner(D, D)).norm(), size);
             compare((is.full - reference.tau).norm(), size);
             compare((is.b - reference.b).norm(), 1);
             compare(std::abs(is.J - reference.J), 1);
             compare(std::abs(is.alpha - reference.alpha), std::max(reference.alpha, 1e-4));
-        }
-        CAPTURE(D, l);
-        CHECK(worst < 1e-10);
-        most_alpha = std::max(most_alpha, reference.alpha);
-    }
+        },
+        [&](int l, const j2_reference& reference) {
+            CAPTURE(D, l);
+            CHECK(worst < 1e-10);
+            most_alpha = std::max(most_alpha, reference.alpha);
+        });
     CHECK((law.yield > young || most_alpha > 0.01));
 }
 template <int D> void is_the_reference_in_and_out_of_lanes() {
@@ -148,14 +83,14 @@ TEST_CASE("j2: a turning observer sees the stress turn, and nothing else") {
         const double angle = 0.11;
         const auto still = moved<3>(motion), turning = moved<3>(motion_of::turned(motion, angle));
         double worst = 0;
-        for (std::size_t n = 0; n < still.count(); ++n) {
+        for (std::size_t n = 0; n < still.size(); ++n) {
             const tensor3 R = motion_of::turn(angle * static_cast<double>(n + 1));
-            const tensor3 expected = R * still.of(n).full * R.transpose();
-            worst = std::max(worst, (turning.of(n).full - expected).norm() / expected.norm());
-            worst = std::max(worst, std::abs(turning.of(n).alpha - still.of(n).alpha));
+            const tensor3 expected = R * still[n].full * R.transpose();
+            worst = std::max(worst, (turning[n].full - expected).norm() / expected.norm());
+            worst = std::max(worst, std::abs(turning[n].alpha - still[n].alpha));
         }
         CHECK(worst < 1e-10);
-        CHECK(still.last().alpha > 0.01);
+        CHECK(still.back().alpha > 0.01);
     }
 }
 
@@ -163,13 +98,13 @@ TEST_CASE("j2: plane and uniaxial strain are three dimensions with the others he
     const auto cycle = motion_of::there_and_back(0.002, 30), stretch = motion_of::uniaxial(0.002, 60);
     const auto thin = moved<2>(cycle);
     const auto thick = moved<3>(cycle);
-    CHECK((thin.last().full - thick.last().full).norm() == 0);
-    CHECK(std::abs(thin.last().full(2, 2)) > 1);
-    CHECK((thin.last().tau - thick.last().full.topLeftCorner(2, 2)).norm() == 0);
+    CHECK((thin.back().full - thick.back().full).norm() == 0);
+    CHECK(std::abs(thin.back().full(2, 2)) > 1);
+    CHECK((thin.back().tau - thick.back().full.topLeftCorner(2, 2)).norm() == 0);
     const auto bar = moved<1>(stretch);
     const auto block = moved<3>(stretch);
-    CHECK((bar.last().full - block.last().full).norm() == 0);
-    CHECK(std::abs(bar.last().tau(0, 0) - block.last().tau(0, 0)) == 0);
+    CHECK((bar.back().full - block.back().full).norm() == 0);
+    CHECK(std::abs(bar.back().tau(0, 0) - block.back().tau(0, 0)) == 0);
 }
 
 TEST_CASE("j2: what yields dissipates, stays on the yield surface and keeps its elastic part's volume") {
@@ -180,7 +115,7 @@ TEST_CASE("j2: what yields dissipates, stays on the yield surface and keeps its 
         double least = 1, before = 0, furthest = 0, volume = 0, work = 0, dissipated = 0;
         for (std::size_t n = 0; n < motion.size(); ++n) {
             reference.step(motion[n]);
-            const state& is = ours.of(n);
+            const moved_state& is = ours[n];
             const double mises = std::sqrt(1.5) * j2_reference::dev(is.full).norm(),
                          limit = steel.yield + 15 * is.alpha;
             // Of the trial's energy, what b has not kept, and the same by stress and plastic strain.
@@ -209,15 +144,15 @@ TEST_CASE("j2: without yielding it is neo_hookean's split form, and Hooke's law 
     matrix<3, double> F = matrix<3, double>::Identity();
     for (const auto& f : motion) F = f * F;
     const auto ours = moved<3>(motion, strong);
-    CHECK((ours.last().full - elastic.at_deformation(F)).norm() < 1e-11 * young);
-    CHECK(std::abs(ours.last().energy - elastic.energy_at(F)) < 1e-12 * young);
-    CHECK(ours.last().alpha == 0);
+    CHECK((ours.back().full - elastic.at_deformation(F)).norm() < 1e-11 * young);
+    CHECK(std::abs(ours.back().energy - elastic.energy_at(F)) < 1e-12 * young);
+    CHECK(ours.back().alpha == 0);
 
     const linear_elastic linear{.young = young, .poisson = poisson, .density = 1};
     const auto distance = [&](double size) {
         const auto small = motion_of::twisted(size, 1);
         const matrix<3, double> H = small[0] - tensor3::Identity(), strain = (H + H.transpose()) / 2;
-        return (moved<3>(small).last().full - linear.at_strain(0, strain)).norm();
+        return (moved<3>(small).back().full - linear.at_strain(0, strain)).norm();
     };
     CHECK(distance(1e-3) < 1e-3 * young * 0.01);
     CHECK(std::abs(distance(1e-3) / distance(5e-4) - 4) < 0.1);
@@ -225,14 +160,14 @@ TEST_CASE("j2: without yielding it is neo_hookean's split form, and Hooke's law 
 
 TEST_CASE("j2: float is near") {
     const auto motion = motion_of::there_and_back(0.002, 30);
-    CHECK((moved<2, float>(motion).last().full - moved<2>(motion).last().full).norm() < 1e-4 * young);
-    CHECK((moved<3, native_lanes::type<float>>(motion).last().full - moved<3>(motion).last().full).norm() <
+    CHECK((moved<2, float>(motion).back().full - moved<2>(motion).back().full).norm() < 1e-4 * young);
+    CHECK((moved<3, native_lanes::type<float>>(motion).back().full - moved<3>(motion).back().full).norm() <
           1e-4 * young);
 }
 
 TEST_CASE("j2: turned inside out, the stress is no number") {
-    CHECK(std::isnan(moved<3>(motion_of::uniaxial(-1.5, 1)).last().full.sum()));
-    CHECK(std::isnan(moved<1>(motion_of::uniaxial(-1.5, 2)).last().tau.sum()));
+    CHECK(std::isnan(moved<3>(motion_of::uniaxial(-1.5, 1)).back().full.sum()));
+    CHECK(std::isnan(moved<1>(motion_of::uniaxial(-1.5, 2)).back().tau.sum()));
 }
 
 TEST_CASE("j2: parameters and particles that make no sense are refused by name") {

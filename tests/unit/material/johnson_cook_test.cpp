@@ -8,9 +8,10 @@
 #include "catch.hpp"
 #include "unit/complaint.hpp"
 #include "unit/material/j2_reference.hpp"
+#include "unit/material/moved.hpp"
 
 using namespace tamis;
-using motion_of::steps;
+using namespace motion_of;
 using tensor3 = Eigen::Matrix3d;
 using failing = johnson_cook_of<johnson_cook_failure>;
 
@@ -102,97 +103,12 @@ template <class Law> struct reference {
     }
 };
 
-/// What a particle has after each step.
-struct state {
-    tensor3 b, full;
-    Eigen::MatrixXd tau;
-    double J, alpha, temperature, damage, energy;
-};
-template <class S, class Law> using slot_of = values<S, merge<fields<field::stress>, on_particles_t<Law>>>;
-/// A particle as it is at first.
-template <class S, class Law> slot_of<S, Law> fresh(const Law& law) {
-    using real = typename S::real;
-    using T = typename S::scalar;
-    slot_of<S, Law> slot;
-    slot.set_zero();
-    slot.template get<field::volume_ratio>() = T(real(1));
-    slot.template get<field::temperature>() = T(real(law.reference_temperature));
-    for (int d = 0; d < 3; ++d) slot.template get<field::elastic_cauchy_green>()[d] = T(real(1));
-    return slot;
-}
-template <class T> double in(const T& a, int l) {
-    typename lane<T>::real out[lane<T>::width];
-    lane<T>::store(out, a);
-    return static_cast<double>(out[l]);
-}
-template <class T, int R> Eigen::MatrixXd in(const Eigen::Matrix<T, R, R, Eigen::DontAlign>& a, int l) {
-    Eigen::MatrixXd out(R, R);
-    for (int c = 0; c < R * R; ++c) out.data()[c] = in(a.data()[c], l);
-    return out;
-}
-/// W particles in dimension D, lane l moved by the steps that motion(l) gives, as strain_slot does it.
-template <int D, class T, class Law, class Motion>
-std::vector<state> moved(const Law& law, double dt, const Motion& motion) {
-    using S = space<D, T>;
-    using real = typename S::real;
-    constexpr int W = S::width;
-    auto slot = fresh<S>(law);
-    using row = detail::slot_row<S, decltype(slot),
-                                 typename detail::concatenate<fields<const field::stress>, on_particles_t<Law>>::type>;
-    const detail::frame<S> at{real(1), real(1), {}};
-    std::vector<steps> each;
-    for (int l = 0; l < W; ++l) each.push_back(motion(l));
-    std::vector<state> states;
-    for (std::size_t n = 0; n < each[0].size(); ++n) {
-        typename S::tensor L;
-        for (int c = 0; c < D * D; ++c) {
-            real lanes_of[W];
-            for (int l = 0; l < W; ++l) {
-                const tensor3 rate = (each[static_cast<std::size_t>(l)][n] - tensor3::Identity()) / dt;
-                lanes_of[l] = static_cast<real>(rate(c % D, c / D));
-            }
-            L.data()[c] = lane<T>::load(lanes_of);
-        }
-        detail::strain_slot<S>(law, slot, (1u << W) - 1u, at, L, T(real(dt)));
-        const row p{slot, at};
-        const Eigen::Matrix<T, 3, 3, Eigen::DontAlign> b = p[field::elastic_cauchy_green{}], full = law.full_stress(p);
-        const Eigen::Matrix<T, D, D, Eigen::DontAlign> tau = p[symbols::sigma];
-        for (int l = 0; l < W; ++l) {
-            state is{in(b, l),
-                     in(full, l),
-                     in(tau, l),
-                     in(p[field::volume_ratio{}], l),
-                     in(p[field::plastic_strain{}], l),
-                     in(p[field::temperature{}], l),
-                     0,
-                     in(law.energy(p, 0), l)};
-            if constexpr (std::is_same_v<Law, failing>) is.damage = in(p[field::damage{}], l);
-            states.push_back(is);
-        }
-    }
-    return states;
-}
-template <int D = 3, class Law> std::vector<state> moved(const Law& law, double dt, const steps& motion) {
-    return moved<D, double>(law, dt, [&](int) { return motion; });
-}
-steps joined(steps first, const steps& then) {
-    first.insert(first.end(), then.begin(), then.end());
-    return first;
-}
-
 template <int D, class T, class Law> void is_the_reference(const Law& law, double dt, const auto& motion) {
-    constexpr int W = lane<T>::width;
-    const auto ours = moved<D, T>(law, dt, motion);
-    for (int l = 0; l < W; ++l) {
-        reference<Law> plain{law, dt};
-        double worst = 0;
-        const auto compare = [&](double distance, double of) { worst = std::max(worst, distance / of); };
-        const steps all = motion(l);
-        for (std::size_t n = 0; n < all.size(); ++n) {
-            tensor3 f = tensor3::Identity();
-            f.topLeftCorner(D, D) = all[n].topLeftCorner(D, D);
-            plain.step(f);
-            const state& is = ours[n * W + static_cast<std::size_t>(l)];
+    double worst = 0;
+    const auto compare = [&](double distance, double of) { worst = std::max(worst, distance / of); };
+    beside<D, T>(
+        moved<D, T>(law, dt, motion), motion, reference<Law>{law, dt},
+        [&](const moved_state& is, const reference<Law>& plain) {
             const double size = std::max(plain.tau.norm(), law.yield / 10);
             compare((is.full - plain.tau).norm(), size);
             compare((is.tau - plain.tau.topLeftCorner(D, D)).norm(), size);
@@ -201,12 +117,13 @@ template <int D, class T, class Law> void is_the_reference(const Law& law, doubl
             compare(std::abs(is.alpha - plain.alpha), std::max(plain.alpha, 1e-4));
             compare(std::abs(is.temperature - plain.temperature), plain.temperature);
             compare(std::abs(is.damage - std::min(plain.damage, 1.)), 1);
-        }
-        CAPTURE(D, l, dt);
-        CHECK(worst < 1e-10);
-        CHECK(plain.alpha > 5e-3);
-        if (std::is_same_v<Law, failing> && l == 0) CHECK(plain.damage > 0.1);
-    }
+        },
+        [&](int l, const reference<Law>& plain) {
+            CAPTURE(D, l, dt);
+            CHECK(worst < 1e-10);
+            CHECK(plain.alpha > 5e-3);
+            if (std::is_same_v<Law, failing> && l == 0) CHECK(plain.damage > 0.1);
+        });
 }
 
 }  // namespace
@@ -278,7 +195,7 @@ TEST_CASE(
             slot.template get<field::temperature>() = lane<T>::load(warm);
             typename S::tensor L = S::tensor::Zero();
             L(0, 1) = lane<T>::load(shear);
-            const detail::frame<S> at{real(1), real(1), {}};
+            const auto at = unit_frame<S>();
             detail::strain_slot<S>(law, slot, (1u << W) - 1u, at, L, T(real(dt)));
             const detail::slot_row<S, decltype(slot), fields<const field::stress>> p{slot, at};
             const typename S::tensor full = p[symbols::sigma];
@@ -288,7 +205,7 @@ TEST_CASE(
                 // The trial's b is of a simple shear: its deviator by hand.
                 const double g = static_cast<double>(real(dt)) * static_cast<double>(shear[l]),
                              mu = young / (2 * (1 + poisson)), three_mu = mu * (3 + g * g);
-                const double trial = mu * g * std::sqrt(3 + g * g), left = std::sqrt(1.5 * in(square, l));
+                const double trial = mu * g * std::sqrt(3 + g * g), left = std::sqrt(1.5 * in_lane(square, l));
                 if (!std::isfinite(left)) ++lost;
                 // Y(eps + x) at a stress q; the root is where q passes it.
                 const auto over = [&](double q) {
@@ -321,7 +238,7 @@ TEST_CASE("johnson_cook: plastic work heats by Taylor and Quinney's share, and s
     soft.heat_capacity = 100e-6;
     soft.taylor_quinney = 1;
     const auto distance = [&](int count) {
-        const state end = moved(soft, 1, motion_of::shear(2. / count, count)).back();
+        const moved_state end = moved(soft, 1, motion_of::shear(2. / count, count)).back();
         const double expected = 1 - std::exp(-soft.yield * end.alpha / (soft.density * soft.heat_capacity * 1200));
         CHECK(end.alpha > 1);
         return std::abs((end.temperature - 300) / 1200 - expected);
@@ -382,7 +299,7 @@ TEST_CASE("johnson_cook: what fails bears pressure and no tension; in shear it f
     // It closes before it bears again, by pressure alone.
     const auto closed =
         moved(law, 1, joined(joined(sheared, motion_of::uniaxial(0.01, 5)), motion_of::uniaxial(-0.01, 10)));
-    const state end = closed.back();
+    const moved_state end = closed.back();
     CHECK(end.J < 0.96);
     const double kappa = young / (3 * (1 - 2 * poisson));
     CHECK((end.full - kappa / 2 * (end.J * end.J - 1) * tensor3::Identity()).norm() < 1e-11);
@@ -393,13 +310,10 @@ TEST_CASE("johnson_cook: what fails bears pressure and no tension; in shear it f
 TEST_CASE("johnson_cook: a turning observer sees the stress turn, and nothing else") {
     const auto motion = joined(motion_of::uniaxial(-0.003, 20), motion_of::shear(0.005, 60));
     const auto still = moved(brittle, 0.01, motion), turning = moved(brittle, 0.01, motion_of::turned(motion, 0.11));
-    double worst = 0;
-    for (std::size_t n = 0; n < still.size(); ++n) {
-        const tensor3 R = motion_of::turn(0.11 * static_cast<double>(n + 1));
-        worst = std::max({worst, (turning[n].full - R * still[n].full * R.transpose()).norm(),
-                          std::abs(turning[n].damage - still[n].damage),
+    double worst = seen_otherwise(still, turning, 0.11);
+    for (std::size_t n = 0; n < still.size(); ++n)
+        worst = std::max({worst, std::abs(turning[n].damage - still[n].damage),
                           std::abs(turning[n].temperature - still[n].temperature) / 1000});
-    }
     CHECK(worst < 1e-10);
     CHECK(still.back().alpha > 0.1);
 }
@@ -422,7 +336,7 @@ TEST_CASE(
     const auto stretch = motion_of::uniaxial(0.002, 60);
     CHECK((moved<1>(steel, 0.01, stretch).back().full - moved(steel, 0.01, stretch).back().full).norm() == 0);
 
-    const state near = moved<2, native_lanes::type<float>>(steel, 0.01, [&](int) { return motion; }).back();
+    const moved_state near = moved<2, native_lanes::type<float>>(steel, 0.01, [&](int) { return motion; }).back();
     CHECK((near.full - thin.back().full).norm() < 1e-4 * young);
     CHECK(std::abs(near.temperature - thin.back().temperature) < 0.1);
 }
